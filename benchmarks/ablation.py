@@ -2,12 +2,10 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The worth of each rule of the sampler: the work for the same error without it.
 
-The first samples of every pixel are recorded once for a scene; a sample depends on its pixel and its number alone, so
-a sampler without the rule gets the same ones. Rules of the emitter sampling change samples and are recorded anew in
-scenes with lamps.
+The first samples of every pixel are recorded once for a scene; a sample depends on its pixel and its number alone. Rules of the emitter
+sampling change samples and are recorded anew, in scenes with lamps.
 
-Work is samples a pixel. The error is that against the mean of all recorded samples, of which a pixel gets at most a
-quarter."""
+Work is samples a pixel. The error is that against the mean of all recorded samples, of which a pixel gets at most a quarter."""
 
 import json
 import math
@@ -29,7 +27,7 @@ LEAST_KEPT = 1e-3  # the recorded samples suffice for this variance, in every sc
 TOO_FEW_SAMPLES = ("chess_at_night",)
 NEVER, ALWAYS = "1e30", "0"
 
-# Rule, section of docs/sampling.md, settings without the rule.
+# rule, section of docs/sampling.md, settings without it
 RULES = (
     ("longer first rounds", 1, "farShare=2"),
     ("rounds that end half-way between powers of two", 1, f"doubledSamples={2**31}"),
@@ -127,8 +125,7 @@ def replay(lab, path, lines):
 
 
 def work_for(curve, mse):
-    """Samples a pixel for an error, on straight lines of logarithms through a curve. Its ends are lengthened with
-    the slope -1 of independent samples."""
+    """On straight lines of logarithms; ends are lengthened with the slope -1 of independent samples."""
     points = sorted((math.log(record["mse"]), math.log(record["samples"])) for record in curve if record["mse"] > 0)
     wanted = math.log(mse)
     if wanted <= points[0][0]:
@@ -142,25 +139,25 @@ def work_for(curve, mse):
 
 
 def ratio(base, other):
-    """Work without a rule over work with it: geometric mean over the errors reached without it."""
+    """Work without over work with a rule: geometric mean over the errors reached without it."""
     logs = [math.log(record["samples"] / work_for(base, record["mse"])) for record in other if record["mse"] > 0]
     return math.exp(sum(logs) / len(logs)) if logs else 1.0
 
 
 def kept(records):
-    """Figures that the contract limits: mean square error over V, and the share of pixels that are far off."""
+    """Mean square error over V, and the share of pixels far off: the contract's limits."""
     records = [record for record in records if record["variance"] >= LEAST_KEPT]
     return max(record["mse"] / record["variance"] for record in records), max(record["beyond"] for record in records)
 
 
 def worst(found, name):
-    """The greatest figure of that name, and its scene."""
+    """The greatest, and its scene."""
     row = max((row for row in found if row[name] is not None), key=lambda row: row[name])
     return row[name], row["scene"]
 
 
 def summary(rule, found):
-    """One row for a rule: means over its scenes, and the worst scenes."""
+    """Means over the scenes, and the worst scenes."""
     name, section, settings = rule
     return {
         "rule": name,
@@ -200,7 +197,6 @@ def measure(lab):
 
 
 def settings_of_header(text):
-    """Names of the numbers in settings.h."""
     body = text[text.index("struct Settings") :]
     lines = re.findall(r"^ +(?:double|float|std::uint32_t) (.*);$", body, re.MULTILINE)
     return [part.split(" = ")[0] for line in lines for part in line.split(", ")]

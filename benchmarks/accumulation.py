@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The accumulation buffer: the mean of many pinhole pictures of the unpatched program, which has no other way to
-tilt the plane of sharp focus."""
+"""The accumulation buffer: the mean of pinhole pictures of the unpatched program, its only way to tilt the plane of sharp focus."""
 
 import concurrent.futures
 import dataclasses
@@ -14,10 +13,9 @@ from benchmarks.lab import ACCUMULATE, TILT_LENS, Failed, cpu_of_rays, digest, r
 PROCESSES = os.cpu_count() or 1  # more would take the caches from each other, and longer
 
 
-# Frames are OpenEXR: a PNG would clip lights before they are averaged.
+# a PNG would clip lights before they are averaged
 def frames(lab, shot, first, last, count, folder):
-    """Renders the frames from first to last of an animation of `count` frames. Returns the CPU seconds of the rays alone,
-    as the program reports them after each frame, and those of the whole process."""
+    """Returns CPU seconds of the rays alone, as the program reports them, and of the whole process."""
     command = shot.command(
         lab.stock, folder / "f.exr", *lab.gathered_light(shot), "+FE", "+KFI1", f"+KFF{count}", f"+SF{first}", f"+EF{last}"
     )
@@ -36,12 +34,12 @@ def cpu_of_frames(lab, shot, count, folder):
 
 
 def frames_of(lab, scene, tilted):
-    """Greatest number of frames; fewer where the accumulation buffer is only drawn, untilted."""
+    """Greatest number; fewer where the picture is only drawn."""
     return min(scene.quick_frames, scene.frames) if lab.quick else scene.frames if tilted else scene.frames // 4
 
 
 def measure(lab, scene, tilted):
-    """(CPU seconds of the rays, RMSE) for each number of frames."""
+    """(CPU seconds of the rays, RMSE)."""
     count = frames_of(lab, scene, tilted)
     shot = scene.shot(ACCUMULATE, tilted)
     reference = lab.reference(dataclasses.replace(shot, form=TILT_LENS), *scene.reference)

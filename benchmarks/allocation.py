@@ -1,11 +1,9 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The error of the adaptive sampler over that of uniform sampling with as many rays, and over that of perfect
-knowledge.
+"""The adaptive sampler's error over that of uniform sampling with as many rays, and over that of perfect knowledge.
 
-Uniform: the same number of samples in each pixel, all first samples. Perfect knowledge follows from such pictures
-with 2, 4, 8, ... samples: each group of 8 by 8 pixels takes the number n that makes its squared error plus lambda n
-least. One half of the pictures chooses the numbers and the other judges them, so that luck does not count."""
+Perfect knowledge follows from uniform pictures with 2, 4, 8, ... samples: each group of 8 by 8 pixels takes the number n that makes its
+squared error plus lambda n least. One half of the pictures chooses the numbers and the other judges them."""
 
 from benchmarks import gallery, suite
 from benchmarks.front import error_after
@@ -30,7 +28,7 @@ def middle(whole, size):
 
 
 def squares(lab, shot, reference):
-    """Squared errors of the groups of independent pictures, mean number of samples, and the reference's own error."""
+    """Squared errors of groups in independent pictures, mean number of samples, the reference's own error."""
     key = digest("squared errors of groups", lab.hashes[lab.ours], shot.settings(), shot.sources(), reference.name, PICTURES, GROUP)
     record = lab.runs.get((key, 0))
     if record is None:
@@ -58,8 +56,7 @@ def mean_by_group(lists):
 
 
 def ideal(even, sizes):
-    """(rays of a pixel, MSE) for each lambda. `even` has for each number of samples the squared errors of the
-    groups in each picture, `sizes` the values of each group."""
+    """(rays of a pixel, MSE) for each lambda. `even`: squared errors by number of samples and picture, `sizes`: values of each group."""
     points = []
     counts, half = sorted(even), PICTURES // 2
     for weight in LAMBDAS:
@@ -76,13 +73,12 @@ def ideal(even, sizes):
 
 
 def sizes_of_groups(width, height):
-    """Values of each group, three a pixel, row by row."""
+    """Three values a pixel, row by row."""
     return [3 * min(GROUP, width - x) * min(GROUP, height - y) for y in range(0, height, GROUP) for x in range(0, width, GROUP)]
 
 
 def compare(even, adaptive, sizes):
-    """Error over that of uniform sampling and over the ideal's, for each adaptive record within the range of both
-    curves."""
+    """For each adaptive record within the range of both curves."""
     values = sum(sizes)
     uniform = [(n, sum(mean_by_group(lists)) / values) for n, lists in even.items()]
     best = [point for point in ideal(even, sizes) if point[1] > 0]
@@ -123,14 +119,13 @@ def of_scene(lab, scene, whole):
 
 
 def scenes(lab, names):
-    """The benchmark's scenes at both sizes, the gallery's at the larger one."""
+    """The benchmark's at both sizes, the gallery's at the larger one."""
     of_benchmark = [scene for scene in suite.SCENES if scene.name in names and (not lab.quick or scene.name in QUICK_SCENES)]
     of_gallery = [] if lab.quick else [suite.of_gallery(name, gallery.copy(lab, name)) for name in suite.DISPLAY if name in names]
     return [(scene, LARGE) for scene in of_benchmark + of_gallery] + [(scene, SMALL) for scene in of_benchmark]
 
 
 def measure(lab, names):
-    """A row for each scene, size and variance."""
     rows = [row for scene, whole in scenes(lab, names) for row in of_scene(lab, scene, whole)]
     for row in rows:
         lab.say(

@@ -4,8 +4,7 @@
 
 usage: python3 -m benchmarks.batch_scaling [--repeat N] [--write]     without --write the text is only printed
 
-Times are medians. Other programs on the machine change CPU times by little, and elapsed times by much; the load
-of the machine before the run is therefore part of the text.
+Times are medians. Other programs change elapsed times by much; the text therefore states the machine's load.
 """
 
 import argparse
@@ -32,8 +31,7 @@ NODES = 1000
 
 
 def measured(command, folder, env=None):
-    """Runs a command with its child processes: elapsed seconds, CPU seconds, and the largest memory of one process
-    in MB."""
+    """With child processes: elapsed seconds, CPU seconds, the largest process in MB."""
     done = povray_run.run(command, folder, env or povray_run.user_environment(), limit=None)
     if done.code != 0:
         sys.exit(done.told())
@@ -41,7 +39,6 @@ def measured(command, folder, env=None):
 
 
 def words(picture):
-    """Size and options of a picture for ./batch."""
     (width, height), *options = picture
     return [f"+W{width}", f"+H{height}", *options]
 
@@ -61,12 +58,12 @@ class Measurements:
         return measured([ROOT / "batch", *words, "--output", output, "--povray", POVRAY, "--quiet"], self.folder, env)
 
     def start(self):
-        """POV-Ray alone on a tiny picture: what each start costs."""
+        """The cost of each start: POV-Ray alone on a tiny picture."""
         command = povray_run.command(POVRAY, SCENE, "tiny.png", *TINY, "+WT1", library=[SCENE.parent])
         return [measured(command, self.folder) for _ in range(self.repeat)]
 
     def unit(self, *more, env=None):
-        """Cost of a unit: a film of tiny frames, less a film of one."""
+        """A film of tiny frames, less a film of one."""
         runs = []
         for _ in range(self.repeat):
             many = self.batch("film", SCENE, "--frames", FRAMES, "--bands", 1, "--workers", 1, *words(TINY), *more, env=env)
@@ -75,8 +72,7 @@ class Measurements:
         return runs
 
     def speed(self):
-        """One still in eight bands with 1, 2 and 4 workers, interleaved, and one POV-Ray with its own
-        threads."""
+        """One still in eight bands with 1, 2 and 4 workers, interleaved, and one POV-Ray with its own threads."""
         runs = {}
         whole = povray_run.command(POVRAY, SCENE, "whole.png", *STILL, library=[SCENE.parent])
         for _ in range(self.repeat):
@@ -88,7 +84,7 @@ class Measurements:
         return runs
 
     def large(self):
-        """An 8K picture: memory of POV-Ray for one band, checking the band, joining two bands."""
+        """8K: memory for one band, checking it, joining two."""
         width, height = EIGHT_K
         band = povray_run.command(
             POVRAY, SCENE, "band.exr", EIGHT_K, "+WT1", "+FE", "Declare=Stop=22", "+SR2145", "+ER2176", library=[SCENE.parent]
@@ -105,7 +101,7 @@ class Measurements:
 
 
 def dispatch_rate(repeat):
-    """Tasks per second of an array job without work, on the private cluster of three nodes."""
+    """An array job without work, on the private cluster of three nodes."""
     rates = []
     with tempfile.TemporaryDirectory(prefix="slurm.") as folder, Cluster(folder) as cluster:
         for _ in range(repeat):
@@ -117,8 +113,7 @@ def dispatch_rate(repeat):
 
 
 def on_paper(hours, bands, costs):
-    """A film on NODES one-core workers: waves of units, elapsed hours, speed-up over one core. Workers start one
-    after the other; the worker that finishes the last band of a frame joins the frame."""
+    """NODES one-core workers start one after the other; the last one of a frame joins it."""
     units = FILM * bands
     edges = 2 * (bands - 1) * costs["margin"] / EIGHT_K[1]
     unit = hours * 3600 * (1 + edges) / bands + costs["unit"] + costs["check"]
@@ -149,8 +144,7 @@ def speed_rows(runs):
 
 
 def margin(runs, unit):
-    """Rows beyond each edge of a band that are sampled, too: from the time of eight bands beyond that of the whole
-    picture and of the units."""
+    """Rows sampled beyond a band's edges: from eight bands' time beyond that of the whole picture and of the units."""
     whole, bands, rows = (median(runs["povray +WT1"], 1), median(runs["batch, 1 worker"], 1), STILL[0][1])
     return max(0.0, bands - whole - 10 * median(unit, 1)) / (2 * 7) / (whole / rows)  # 10: with two small renders
 
@@ -165,7 +159,6 @@ def paper_rows(costs, here):
 
 
 def text(repeat):
-    """The section for docs/batch.md."""
     load = os.getloadavg()[0]
     with tempfile.TemporaryDirectory(prefix="scaling.") as folder:
         measure = Measurements(repeat, folder)

@@ -67,7 +67,7 @@ PARTS = (
     "threads",
 )
 NAMES = [*[scene.name for scene in suite.SCENES], *found_lamps.NAMES, *suite.DISPLAY]
-# Parts whose short form is shown in the pages, too, with the size of its pictures.
+# also shown in short form, at this size
 SHORT = {
     "stock",
     "tilted",
@@ -246,7 +246,7 @@ def draw(folder, results, runs):
 
 
 def update_docs(folder, program, results):
-    """Keeps the measured parts with their plots; other parts stay as they are."""
+    """Other parts stay as they are."""
     for part, rows in results.items():
         pages.save(part, rows, program)
     for path in folder.glob("*.svg"):

@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Link-time and profile-guided optimisation: the program of cmake/build-fast against the usual one, with the same
-rays. Its profile is made with scenes of gallery, tutorial and paper."""
+"""The program of cmake/build-fast (link-time and profile-guided optimisation) against the usual one, with the same rays."""
 
 from benchmarks import suite
 from benchmarks.lab import TILT_LENS

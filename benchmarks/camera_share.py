@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The share of camera and sampler in the cost of a cheap ray: callgrind's instructions within the sampling of
-tiles, without those of tracing the rays in the scene."""
+"""The share of camera and sampler in a cheap ray: callgrind's instructions in the sampling of tiles, without tracing."""
 
 from benchmarks import instructions, suite
 from benchmarks.lab import TILT_LENS, Shot
@@ -14,7 +13,7 @@ ALL, RAYS = "tilt_lens::TileSampler::Run(*", "pov::Trace::TraceRay(*"
 
 
 def measure(lab, count=instructions.count):
-    """Instructions per ray, those of camera and sampler among them, and their share with each setting."""
+    """Instructions per ray, those of camera and sampler, their share."""
     lab.say("share of camera and sampler in the cost of a ray")
     rows = []
     for scene in SCENES[:1] if lab.quick else SCENES:

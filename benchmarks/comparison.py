@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Both comparisons of some scenes: untilted with stock focal blur, tilted with the accumulation buffer. Parts
-`display` and `lamps`."""
+"""Untilted against stock focal blur, tilted against the accumulation buffer. Parts `display` and `lamps`."""
 
 from benchmarks import accumulation, gallery, suite, tables, tilted, versus_stock
 
@@ -13,7 +12,7 @@ def compare(lab, scenes):
         lines = versus_stock.compare(scene, untilted)
         for line in lines:
             lab.say(f"  as stock with {line['target']}: {tables.ratio_cell(line)}")
-        # with far fewer frames than stock has samples, the accumulation buffer is far from the error
+        # with fewer frames, the accumulation buffer is far from the error
         errors = {line["target"]: line["rmse"] for line in lines if line["target"] <= 2 * accumulation.frames_of(lab, scene, 1)}
         leaning = tilted.measure(lab, scene, errors)
         found["untilted"][scene.name], found["tilted"][scene.name] = lines, tilted.compare(leaning, errors)

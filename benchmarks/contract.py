@@ -1,23 +1,22 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The error of pictures with `variance V`: mean square error at most 1.2 V, at most 5 % of the pixels off by more
-than 2 sqrt(V) in any channel. Pixels that took more than the least samples should have at least V/4; otherwise rays
-were wasted. The estimated standard error should be 0.8 to 1.2 times the true one."""
+"""The contract of `variance V`: mean square error at most 1.2 V, at most 5 % of the pixels off by more than 2 sqrt(V). Pixels beyond the
+least samples should have at least V/4, else rays are wasted. The estimated standard error should be 0.8 to 1.2 times the true one."""
 
 from benchmarks import suite
 from benchmarks.lab import TILT_LENS, Part, digest, samples_spent
 
 SIZE = (64, 48)
-# Part `crops`: as many pixels in the middle of a large picture, which have fewer edges.
+# part `crops`: the middle of a large picture, with fewer edges
 CROP = Part(608, 336, 1280, 720)
-# variance: independent pictures, since one has too few pixels that take more samples
+# several pictures: one has too few pixels that take more samples
 PICTURES = {1e-2: 16, 1e-3: 16, 1e-4: 16, 1e-5: 4, 1e-6: 2}
 QUICK = {1e-2: 8, 1e-3: 8, 1e-4: 4}
 LEAST, MOST = 4, 262144  # samples; no pixel should need the largest number
 
 
 def claims(lab, shot, reference, first, count, variance):
-    """Measured errors of independent pictures, which share no samples with the reference."""
+    """No samples are shared with the reference."""
     key = digest("claims", lab.hashes[lab.ours], shot.settings(), shot.sources(), reference.name, first, count)
     record = lab.runs.get((key, 0))
     if record is None:

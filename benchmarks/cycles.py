@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""tilt_lens against Cycles on the emissive checks, the one scene that both can draw: only camera and visibility
-count in it. Untilted, because the lens of Cycles cannot be tilted."""
+"""tilt_lens against Cycles on the emissive checks, which both can draw. Untilted: the lens of Cycles cannot be tilted."""
 
 import json
 import math
@@ -16,7 +15,7 @@ from benchmarks.lab import PINHOLE, TILT_LENS, Failed, digest
 from tools.repository import ROOT
 
 SCENE = next(scene for scene in suite.SCENES if scene.name == "checks")
-# Samples whose errors are compared at; most samples, threshold and least samples of adaptive sampling.
+# samples compared at; most samples, threshold and least samples of adaptive sampling
 TARGETS = (16, 64, 256, 1024)
 ADAPTIVE = ((256, 0.1, 16), (256, 0.05, 32), (1024, 0.05, 64), (1024, 0.02, 64), (4096, 0.02, 64), (4096, 0.01, 128), (4096, 0.005, 128))
 
@@ -26,7 +25,7 @@ def installed():
 
 
 def scene_told(lab):
-    """Camera and spheres as the scene itself reports them."""
+    """As the scene reports them."""
     shot = SCENE.shot(PINHOLE, declare=(("Tell", 1),))
     messages, _, _ = lab.render(lab.ours, lab.one_pixel(shot), lab.work / "cycles" / "told.png")
 
@@ -53,8 +52,7 @@ def settings(quick):
 
 
 def render_all(lab, folder, repetitions):
-    """CPU seconds of each setting for each repetition, without the start of Blender; the pictures of the first one
-    stay."""
+    """CPU seconds without the start of Blender; the first pictures stay."""
     (folder / "scene.json").write_text(json.dumps({**scene_told(lab), "settings": settings(lab.quick), "repetitions": repetitions}))
     done = subprocess.run(
         [
@@ -81,7 +79,7 @@ def render_all(lab, folder, repetitions):
 
 
 def measure(lab):
-    """None where Blender is not installed."""
+    """None without Blender."""
     if not installed():
         lab.say("Part cycles is skipped, because Blender is not installed (sudo apt-get install blender).")
         return None

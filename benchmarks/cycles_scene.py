@@ -1,9 +1,9 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Runs within Blender: builds the emissive checks and renders them with Cycles. cycles.py starts it with a file that has the scene
-and the settings; for each render it prints a line `Cycles: ` with JSON.
+"""Runs within Blender: builds the emissive checks and renders them with Cycles. cycles.py starts it with a file of scene and settings; each
+render prints a line `Cycles: ` with JSON.
 
-Blender's z is up and its axes are right-handed, those of POV-Ray are left-handed with y up: both are exchanged by y and z."""
+Exchanging y and z turns POV-Ray's left-handed axes into Blender's."""
 
 import json
 import math
@@ -17,7 +17,7 @@ try:
 except ImportError:  # outside of Blender it can only be read
     bpy = mathutils = None
 
-# Edges of this sphere are within 2e-4 of its radius.
+# edges within 2e-4 of the radius
 SUBDIVISIONS = 6
 
 
@@ -26,7 +26,7 @@ def exchanged(vector):
 
 
 def emitting(name, colour):
-    """A material that emits the colour connected by `colour`."""
+    """Emits the colour connected by `colour`."""
     material = bpy.data.materials.new(name)
     material.use_nodes = True
     nodes, links = material.node_tree.nodes, material.node_tree.links
@@ -38,7 +38,7 @@ def emitting(name, colour):
 
 
 def checkered(nodes, links):
-    """1 and 0.1 in squares of 0.5; the third coordinate is kept off the edges of the pattern."""
+    """1 and 0.1 in squares of 0.5; the third coordinate keeps off the pattern's edges."""
     place, checker = nodes.new("ShaderNodeNewGeometry"), nodes.new("ShaderNodeTexChecker")
     lifted = nodes.new("ShaderNodeVectorMath")
     lifted.inputs[1].default_value = (0, 0, 0.25)

@@ -1,9 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Lamps far out of focus that the sampler cannot know beforehand: no finish announces them, or a mirror, glass or a
-highlight shows them. The default settings against fixed sampling with as many rays, reconstructed alike. Dark discs
-hardly change the error, so two figures are of the lamps alone: the share of their light that a picture keeps, and
-the share of dark pixels of their discs."""
+"""Lamps far out of focus that the sampler cannot know: unannounced, or in mirrors, glass and highlights. Default settings against fixed
+sampling with as many rays. Dark discs hardly change the error, so two figures are of the lamps alone: the share of light kept, and of
+dark pixels in their discs."""
 
 import dataclasses
 import math
@@ -88,8 +87,7 @@ class Reference:
         return path
 
     def fine_enough(self, *sets):
-        """A reference whose own error is far below the mean square errors of some sets of pictures, and these
-        errors."""
+        """A reference whose error is far below some pictures' errors; and these."""
         samples, most = LEAST_SAMPLES, QUICK_MOST if self.lab.quick else MOST_SAMPLES
         while True:
             path = self.of(samples)
@@ -98,7 +96,7 @@ class Reference:
             finer = errors[0]["reference_mse"] / (GREATEST_NOISE * least)
             if finer <= 1.0 or samples >= most:
                 return path, errors
-            # the noise may fall more steeply than the samples grow
+            # noise may fall more steeply than samples grow
             samples = min(most, samples * 2 ** max(1, min(3, round(math.log2(finer)))))
 
 
@@ -111,7 +109,7 @@ def mean(records):
 
 
 def pictures(lab, shot, folder, **values):
-    """A picture for each seed, and their mean number of rays a pixel."""
+    """One for each seed, and their mean rays a pixel."""
     made = [folder / f"{values.get('Samples', 'default')}-{seed}.exr" for seed in SEEDS]
     messages = [
         lab.render(lab.ours, dataclasses.replace(declared(shot, **values, Seed=seed), options=("+N",)), picture)[0]
@@ -149,7 +147,7 @@ def compared(lab, shot):
 
 
 def work(row):
-    """MSE times rays, over that of fixed sampling."""
+    """MSE times rays, over fixed sampling's."""
     return row["mse"] * row["samples"] / (row["fixed_mse"] * row["fixed"])
 
 

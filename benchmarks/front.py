@@ -1,12 +1,12 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Fronts: the least CPU time of a program for each error, over all of its settings."""
+"""Fronts: a program's least CPU time for each error."""
 
 import math
 
 
 def pareto(points):
-    """(seconds, error) pairs that no other pair beats in both (Pareto front), the fastest first."""
+    """(seconds, error) pairs of the Pareto front, the fastest first."""
     front = []
     for seconds, error in sorted(points):
         if not front or error < front[-1][1]:
@@ -15,8 +15,7 @@ def pareto(points):
 
 
 def seconds_for(points, error):
-    """CPU seconds for an error, on straight lines of logarithms between settings. The fastest setting's time if it
-    is already better; None if no setting is as good."""
+    """On straight lines of logarithms. The fastest setting's time if it is already better; None if none is as good."""
     front = pareto(points)
     if not front or front[-1][1] > error:
         return None
@@ -30,8 +29,7 @@ def seconds_for(points, error):
 
 
 def error_after(points, seconds):
-    """The error after some CPU time, interpolated alike. None if the fastest setting takes longer; the slowest
-    setting's error, an upper bound, if it takes less."""
+    """Interpolated alike. None before the fastest setting; after the slowest one, its error, an upper bound."""
     front = pareto(points)
     if not front or front[0][0] > seconds:
         return None

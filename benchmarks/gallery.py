@@ -2,9 +2,8 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The gallery's scenes with the cameras that compete.
 
-The unpatched program cannot read their `tilt_lens`. Copies of the scenes use `camera.inc` with the numbers that the
-program reports. The untilted variant has the same lens and focus and is aimed at the middle of the picture. The
-diaphragm is round in all."""
+The unpatched program cannot read their `tilt_lens`: copies use `camera.inc` with the reported numbers. The untilted variant keeps lens
+and focus, aimed at the middle of the picture. The diaphragm is round in all."""
 
 import json
 import math
@@ -36,7 +35,7 @@ def normalized(vector):
 
 
 def told(lab, name, folder):
-    """The program's record of the scene's camera, and its messages."""
+    """The camera's record, and the messages."""
     record = folder / "camera.json"
     command = povray_run.command(
         lab.ours,
@@ -51,7 +50,7 @@ def told(lab, name, folder):
         "+ER2",
         library=[povray_run.INCLUDE],
     )
-    # the record is that of a preview without aperture, whose messages do not tell the aperture
+    # a preview without aperture does not tell it
     runs = [
         povray_run.run(command, folder, povray_run.environment(**preview), limit=None).succeeded()
         for preview in ({"TILT_LENS_PREVIEW": str(record)}, {})
@@ -67,7 +66,7 @@ def numbers(messages, words):
 
 
 def lens(view, messages):
-    """The camera of the picture in the terms of camera.inc."""
+    """In the terms of camera.inc."""
     axis, right, up = (normalized(view[name]) for name in ("direction", "right", "up"))
     film, _, *shift = numbers(messages, "Film")
     _, diameter, units = numbers(messages, "Aperture")
@@ -87,7 +86,7 @@ def lens(view, messages):
 
 
 def untilted(tilted):
-    """The same lens without tilt and shift, aimed at the middle of the picture and focused there."""
+    """Without tilt and shift, aimed and focused at the picture's middle."""
     eye, normal, (shift_right, shift_up) = tilted["Eye"], tilted["Normal_"], tilted["Shift_"]
     film_distance = tilted["Film_"] / 2 / math.tan(math.radians(tilted["Angle"] / 2))
     middle = total((film_distance, tilted["Axis_"]), (shift_right, tilted["Right_"]), (shift_up, tilted["Up_"]))
@@ -118,7 +117,7 @@ def declared(camera):
 
 
 def copy(lab, name):
-    """Folder of the scene's copy, made anew when the scene has changed."""
+    """Made anew when the scene has changed."""
     original = (GALLERY / f"{name}.pov").read_text()
     path = lab.work / "scenes" / digest(original, (SCENES / "camera.inc").read_text()) / f"{name}.pov"
     if path.is_file():

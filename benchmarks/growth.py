@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Growth of cost with the picture, the blur, the scene and the threads, at constant variance."""
+"""Cost by picture, blur, scene and threads, at constant variance."""
 
 import os
 

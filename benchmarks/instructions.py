@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The cost of the patches in scenes without tilt_lens: callgrind's instructions, against the same source built
-without the patches. Also the times of the inner loops, by Google Benchmark."""
+"""The patches in scenes without tilt_lens: callgrind's instructions against the unpatched source. Also the inner loops, by Google
+Benchmark."""
 
 import json
 import re
@@ -23,8 +23,7 @@ CASES = [
 
 
 def count(lab, binary, shot, times=1, within=None):
-    """Instructions of a whole run, or of a function with all its callees: the least of several runs, since threads
-    that wait for each other vary it slightly."""
+    """The least of several runs, since threads that wait vary it."""
     key = digest("callgrind", binary.read_bytes(), shot.settings(), shot.sources(), *filter(None, [within]))
     record = lab.runs.get((key, 0))
     if record is None:
@@ -58,7 +57,7 @@ def measure(lab, unpatched):
 
 
 def inner_loops(lab):
-    """Nanoseconds per call, without the time for drawing the arguments."""
+    """Without the time for drawing the arguments."""
     lab.say("inner loops")
     program = lab.tools / "inner_loops"
     seconds = 0.05 if lab.quick else 0.3

@@ -19,7 +19,7 @@ PINHOLE, STOCK, TILT_LENS, ACCUMULATE = range(4)  # Form of scenes/camera.inc
 
 
 def digest(*parts):
-    """Short name of anything that can be written as JSON, or of bytes."""
+    """For JSON or bytes."""
     made = hashlib.sha256()
     for part in parts:
         made.update(part if isinstance(part, bytes) else json.dumps(part, sort_keys=True).encode())
@@ -27,14 +27,14 @@ def digest(*parts):
 
 
 def run_measured(command, cwd, low_priority=False):
-    """Runs a program to its end: its messages, CPU seconds (user and system), elapsed seconds."""
+    """Messages, CPU seconds (user and system), elapsed seconds."""
     done = povray_run.run(["nice", "-n4", *command] if low_priority else command, cwd, limit=None).succeeded()
     return done.said, done.cpu, done.seconds
 
 
 @dataclasses.dataclass(frozen=True)
 class Part:
-    """Left upper corner of a part of a larger picture, and the size of the whole."""
+    """Left upper corner, and the size of the whole."""
 
     left: int
     top: int
@@ -60,8 +60,7 @@ class Shot:
         )
 
     def settings(self):
-        """Arguments that name no file. A part is a picture of its own with a camera that sees nothing else; but
-        stock, whose lens turns with `direction`, renders some rows and columns of the whole picture."""
+        """A part has a camera of its own; but stock, whose lens turns with `direction`, renders rows and columns of the whole."""
         (width, height), part = self.size, self.part
         settings, options = (("Form", self.form), ("Tilted", self.tilted), *self.declare), self.options
         if part and self.form == STOCK:
@@ -82,11 +81,11 @@ class Shot:
         ]
 
     def place(self):
-        """Place of the picture in the program's output, as options of the tool `noise`."""
+        """Options of the tool `noise`."""
         return ["--at", f"{self.part.left},{self.part.top}"] if self.part and self.form == STOCK else []
 
     def independent(self, number):
-        """The same picture with independent samples for each number from 1 on: the inner part of a larger picture."""
+        """The inner part of a larger picture has other samples, by number from 1 on."""
         border, (width, height) = 8 * number, self.size
         return dataclasses.replace(
             self,
@@ -96,7 +95,7 @@ class Shot:
         )
 
     def sources(self):
-        """The texts of the scene and of the files of this project that it includes."""
+        """The scene and this project's files in it."""
         found = povray_run.sources(self.folder / f"{self.scene}.pov", [SCENES, INCLUDE])
         return b"".join(path.read_bytes() for path in sorted(found, key=lambda path: path.name))
 
@@ -133,8 +132,7 @@ class Lab:
         return [json.loads(line) for line in done.stdout.splitlines()]
 
     def render(self, program, shot, picture, low_priority=False):
-        """Renders a linear 16-bit PNG, or OpenEXR for a name ending in .exr; returns messages, CPU seconds, elapsed
-        seconds."""
+        """Linear 16-bit PNG, or OpenEXR for .exr; returns messages, CPU seconds, elapsed seconds."""
         picture.parent.mkdir(parents=True, exist_ok=True)
         picture.unlink(missing_ok=True)
         command = shot.command(
@@ -146,7 +144,7 @@ class Lab:
         return result
 
     def gathered_light(self, shot):
-        """Options that read the scene's radiosity from a file, which stock makes first; none for most scenes."""
+        """Radiosity from a file, which stock makes first; none for most scenes."""
         if b"Gather" not in shot.sources():
             return []
         wide = dataclasses.replace(shot, form=PINHOLE, tilted=0, size=(300, 225), threads=1, options=(), declare=(("Gather", 1),))
@@ -159,8 +157,7 @@ class Lab:
         return ["+RFI", f"+RF{path}", "Radiosity_Vain_Pretrace=off"]
 
     def reference(self, shot, batches, samples):
-        """The reference picture of a camera, made once for a scene and its settings: mean of independent pictures
-        of tilt_lens with the same number of samples in each pixel."""
+        """Made once: mean of independent tilt_lens pictures with the same number of samples in each pixel."""
         if shot.form == PINHOLE:  # a lens of almost no diameter: sharp as a pinhole
             shot = dataclasses.replace(shot, form=TILT_LENS, declare=(("Blur", 1e-7), *shot.declare))
         samples = samples // 2 if self.quick else samples
@@ -183,7 +180,7 @@ class Lab:
         return path
 
     def run(self, binary, shot, reference=None, repetition=0, **about):
-        """A measured render, from the journal if it is there. `about` goes into the record."""
+        """From the journal if there. `about` goes into the record."""
         if binary not in self.hashes:
             self.hashes[binary] = self.hash_of(binary)
         key = digest(self.hashes[binary], shot.settings(), shot.sources(), str(reference.name if reference else ""))
@@ -207,7 +204,7 @@ class Lab:
         return {**record, **about}
 
     def interleaved(self, programs_and_shots, repetitions, reference=None):
-        """Every shot several times, in turn; records of the first time with median CPU seconds."""
+        """Shots in turn; first records with median CPU seconds."""
         rounds = [
             [self.run(binary, shot, reference, repetition) for binary, shot in programs_and_shots] for repetition in range(repetitions)
         ]
@@ -222,22 +219,22 @@ class Lab:
             journal.write(json.dumps(record) + "\n")
 
     def start_up(self, program, shot):
-        """CPU seconds of a run that renders one pixel."""
+        """A run of one pixel."""
         return statistics.median(self.run(program, self.one_pixel(shot), repetition=i)["cpu"] for i in range(3))
 
     @staticmethod
     def one_pixel(shot):
-        """The second pixel of the second row, because the program reads +EC1 as 100 % of the picture."""
+        """The second, because the program reads +EC1 as 100 %."""
         return dataclasses.replace(shot, options=(*shot.options, "+SC2", "+EC2", "+SR2", "+ER2"))
 
 
 def cpu_of_rays(messages):
-    """CPU seconds of each picture of one thread without start and parsing, as the program reports them."""
+    """One thread, without start and parsing, as reported."""
     found = re.findall(r"^  Trace Time:.*\n\s+using 1 thread\(s\) with ([0-9.]+) CPU-seconds", messages, re.M)
     return list(map(float, found))
 
 
 def samples_spent(messages):
-    """Samples per pixel, from the summary of a tilt_lens render."""
+    """From the summary."""
     found = re.search(r"Samples per pixel\D+([\d.]+)\D+99\s?%\D*([\d.]+)\D+([\d.]+)", messages)
     return {} if not found else dict(zip(("samples", "samples_99", "samples_most"), map(float, found.groups())))

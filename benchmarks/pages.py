@@ -1,12 +1,11 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Keeps the results of the benchmark in docs/benchmarks, and shows them in the pages.
+"""Keeps the results in docs/benchmarks, and shows them in the pages.
 
-A part, such as `stock`, is shown between the lines `<!-- benchmark: stock -->` and `<!-- end of benchmark -->` of
-exactly one page in docs/, with the program and the machine that measured it.
+A part, such as `stock`, stands between the lines `<!-- benchmark: stock -->` and `<!-- end of benchmark -->` of exactly one page in docs/,
+with program and machine.
 
-To add a part, add a measuring module, its call in benchmark.py, a section in report.py, and a place in a page. A
-place without results says so."""
+A new part needs a measuring module, its call in benchmark.py, a section in report.py, and a place in a page."""
 
 import json
 import re
@@ -25,7 +24,7 @@ SUMMARIES = {
 
 
 def compact(value, indent=""):
-    """JSON with as much on a line as fits."""
+    """As much on a line as fits."""
     line = json.dumps(value)
     if len(indent + line) <= WIDTH or not isinstance(value, (dict, list, tuple)):
         return line
@@ -49,7 +48,6 @@ def load(docs=DOCS):
 
 
 def origin(parts):
-    """The programs and machines that measured these parts."""
     made = dict.fromkeys(f"{part['program']}, on {part['machine']}" for part in parts)
     return f"Measured with {'; and with '.join(made)}."
 
@@ -64,7 +62,7 @@ def block(name, kept):
 
 
 def faults(docs=DOCS):
-    """Places of unknown parts, and parts that are not shown in exactly one place."""
+    """Unknown parts, and parts not shown in exactly one place."""
     known = [*report.SECTIONS, *SUMMARIES]
     shown = [match["name"] for page in sorted(docs.glob("*.md")) for match in PLACE.finditer(page.read_text())]
     wrong = [f"a page has a place for {name}, which is no part of the benchmark" for name in shown if name not in known]

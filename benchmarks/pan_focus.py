@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The cost of a picture without blur: a narrow lens against anti-aliasing (+A) of a pinhole, at equal error."""
+"""A picture without blur: a narrow lens against a pinhole's anti-aliasing (+A), at equal error."""
 
 import math
 
@@ -10,7 +10,7 @@ from benchmarks.lab import PINHOLE, TILT_LENS
 
 SCENES = ("checks", "foliage", "town")
 SHARP = (("Blur", 1e-3),)
-# Settings whose errors are compared at; the first one is the default of +A.
+# errors compared at; the first is the default of +A
 TARGETS = (("+A0.3", "+AM1", "+R3"), ("+A0.1", "+AM2", "+R3"), ("+A0.0", "+AM1", "+R3"), ("+A0.0", "+AM1", "+R6"))
 OTHERS = (
     ("+A0.1", "+AM1", "+R3"),
@@ -26,7 +26,7 @@ MINIMA = (1, 2, 4, 8)
 
 
 def shots(lab, scene):
-    """(program, setting, binary, shot), alternately of stock and ours."""
+    """(program, setting, binary, shot), alternately."""
     stock = [
         ("+A", " ".join(options), lab.stock, scene.shot(PINHOLE, options=options))
         for options in (TARGETS[:3] if lab.quick else TARGETS + OTHERS)
@@ -53,7 +53,7 @@ def measure(lab, scene):
 
 
 def compare(records):
-    """CPU time of tilt_lens for each target's error, over the least CPU time of stock."""
+    """Over stock's least CPU time for each error."""
     fronts = {
         program: [(record["cpu"], record["rmse"]) for record in records if record["program"] == program] for program in ("+A", "tilt_lens")
     }

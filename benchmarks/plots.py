@@ -37,7 +37,7 @@ def data(name, points):
 
 
 def errors(path, title, records):
-    """All runs as points, the front of each program as a line."""
+    """Runs as points, fronts as lines."""
     script = HEAD.format(output=path, title=title, x="CPU seconds", y="RMSE", key="top right")
     curves = []
     for number, (program, (name, point, colour)) in enumerate(LOOKS.items()):
@@ -51,7 +51,7 @@ def errors(path, title, records):
 
 
 def growth(path, name, rows):
-    """CPU seconds without start and parsing; for threads also the elapsed seconds."""
+    """Without start and parsing; for threads also elapsed."""
     unit = rows[0]["unit"]
     script = HEAD.format(output=path, title=f"How cost grows with {name}", x=unit, y="seconds", key="top left")
     curves = []

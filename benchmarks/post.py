@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Blur after the fact: one anti-aliased pinhole picture of the unpatched program, blurred by its depth."""
+"""Blur after the fact, by the depth of a pinhole picture of the unpatched program."""
 
 import math
 import re
@@ -8,7 +8,7 @@ import re
 from benchmarks.lab import PINHOLE, TILT_LENS, digest, run_measured
 
 FOG = 12.0
-# with any threshold, anti-aliasing misses many fine edges
+# anti-aliasing misses fine edges at any threshold
 EDGES = {"rough": ("+A0.0", "+AM1", "+R2"), "fine": ("+A0.0", "+AM1", "+R5")}
 
 
@@ -19,7 +19,7 @@ def lens_options(messages):
 
 
 def one(lab, scene, tilted, setting, reference):
-    """CPU seconds of the picture, of one of the two depth pictures, of the blur."""
+    """CPU seconds: picture, one of two depth pictures, blur."""
     key = digest(
         "post of OpenEXR",
         EDGES[setting],

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The cost of reading a scene: the gallery's scenes with a pinhole, of which one pixel is rendered."""
+"""Reading a scene: one pixel of the gallery's scenes, by a pinhole."""
 
 from benchmarks import gallery, suite
 from benchmarks.lab import PINHOLE
@@ -9,7 +9,7 @@ REPETITIONS = 5
 
 
 def measure(lab):
-    """CPU seconds of either program: start, parsing, hierarchies, end."""
+    """Start, parsing, hierarchies, end."""
     lab.say("reading the scenes of the gallery")
     rows = []
     for name in suite.DISPLAY:

@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Errors with and without reconstruction (`denoise`) after the same work, and the bias of the reconstruction.
-Callgrind's instructions and several independent pictures make differences of 1 % visible."""
+"""Errors with and without `denoise` after the same work, and its bias. Instructions and several pictures show differences of 1 %."""
 
 import math
 
@@ -19,8 +18,7 @@ def setting(scene, variance, denoise):
 
 
 def error_and_bias(lab, scene, shot):
-    """RMSE of one picture, and the bias that all independent pictures share. With a squared bias b and a variance v
-    of each picture, the mean of k pictures has the mean square error b + v/k."""
+    """RMSE, and the shared bias: with squared bias b and variance v, the mean of k pictures has the mean square error b + v/k."""
     reference = lab.reference(scene.shot(TILT_LENS, size=SIZE), *scene.reference)
     key = digest("bias beside the reference", lab.hashes[lab.ours], shot.settings(), shot.sources(), reference.name, PICTURES)
     record = lab.runs.get((key, 0))
@@ -38,9 +36,9 @@ def error_and_bias(lab, scene, shot):
 
 
 def measure(lab, scene, count=instructions.count):
-    """A row for each variance, without and with reconstruction; work without start and parsing."""
+    """Without start and parsing."""
     lab.say(f"{scene.name}: with and without reconstruction")
-    # of a pinhole: with a lens, one pixel needs the samples of its neighbours, and more of them with `denoise on`
+    # by a pinhole: with a lens, one pixel needs its neighbours' samples
     start = count(lab, lab.ours, lab.one_pixel(scene.shot(PINHOLE, size=SIZE)))
     rows = []
     for variance in VARIANCES[:3] if lab.quick else VARIANCES:
@@ -53,8 +51,7 @@ def measure(lab, scene, count=instructions.count):
 
 
 def compare(rows):
-    """RMSE without over RMSE with reconstruction for each variance, after the work without it, limited to the range
-    of work that both settings cover. If there is none: most work of one, least work of the other."""
+    """RMSE without over with reconstruction, after the work without it, in the common range. Else: most work of one, least of the other."""
     off, on = ([(row["instructions"], row["rmse"]) for row in rows if row["denoise"] == denoise] for denoise in (0, 1))
     least = max(pareto(points)[0][0] for points in (off, on))
     most = min(pareto(points)[-1][0] for points in (off, on))

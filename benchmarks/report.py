@@ -1,9 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The results as tables in Markdown, with the goals that they are held to.
+"""The results as Markdown tables, with their goals.
 
-A section is a function of the rows of a part; it returns paragraphs. `benchmarks/pages.py` puts them into the
-pages."""
+A section makes paragraphs of a part's rows; `benchmarks/pages.py` puts them into the pages."""
 
 from benchmarks import suite
 from benchmarks.front import geometric_mean
@@ -100,7 +99,7 @@ def section_reading(rows):
 
 
 def denoise_ratios(rows):
-    """RMSE without over RMSE with reconstruction after the same work, by scene and variance."""
+    """After the same work, by scene and variance."""
     scenes = dict.fromkeys(row["scene"] for row in rows)
     return {scene: compare([row for row in rows if row["scene"] == scene]) for scene in scenes}
 
@@ -395,8 +394,7 @@ def section_growth(rows):
 
 
 def verdict(row):
-    """Does the picture keep its variance? Where the reference's own error is not small against V, the number of
-    pixels that are off says nothing."""
+    """If the reference's error is not small against V, pixels that are off say nothing."""
     if row["share"] <= 1.2 and row["beyond"] <= 0.05:
         return "yes"
     if row["share"] <= 1.2 and row["reference_mse"] > 0.25 * row["variance"]:
@@ -575,7 +573,6 @@ def section(part, rows):
 
 
 def text(results):
-    """All measured parts, with their titles."""
     return "\n\n".join(f"### {title}\n\n{section(part, results[part])}" for part, (title, _) in SECTIONS.items() if results.get(part))
 
 
@@ -585,7 +582,7 @@ def range_of(lines):
 
 
 def overview(results):
-    """Ratios of CPU time of each scene; means over the errors compared at."""
+    """CPU time by scene; means over the errors."""
     untilted, tilted = results["stock"], results["tilted"]
     rows = [[TITLES[scene], range_of(untilted[scene]), range_of(tilted[scene])] for scene in untilted if scene in tilted]
     together = [[line for lines in comparisons.values() for line in lines] for comparisons in (untilted, tilted)]

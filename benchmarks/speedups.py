@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""What all speedups together are worth: this program against the build without them (-DSPEEDUPS=OFF). Callgrind's instructions of whole
-runs, and CPU seconds, whose ratio is the median of pairs of runs that follow each other."""
+"""The program against the build without speedups (-DSPEEDUPS=OFF): callgrind's instructions of whole runs, and CPU seconds, the median
+ratio of successive runs."""
 
 import statistics
 
@@ -14,7 +14,7 @@ QUICK = ("miniature_town", "glass")
 
 
 def cpu_ratio(lab, shot, without):
-    """CPU seconds without the speedups over those with them. Both must render the same picture: as many rays of the lens in all."""
+    """CPU seconds without over with; both must take as many rays of the lens."""
     pairs = [[lab.run(program, shot, repetition=i) for program in (lab.ours, without)] for i in range(PAIRS)]
     if any(ours["samples"] != theirs["samples"] for ours, theirs in pairs):
         raise Failed(f"{shot}: the programs with and without speedups took different numbers of samples")

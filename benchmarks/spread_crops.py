@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Makes the crops of docs/sampling.md: few rays a pixel without and with samples that serve other pixels.
 
-    python3 run_module.py benchmarks.spread_crops [--tools FOLDER]
+python3 run_module.py benchmarks.spread_crops [--tools FOLDER]
 
-Parts of gallery pictures of 1280 by 720 are recorded and replayed with the same rays in all columns (record_samples and
-replay_samples, which `ninja -C build ablation_tools` builds). Needs oiiotool (Debian: openimageio-tools)."""
+Parts of gallery pictures of 1280 by 720 are recorded and replayed with the same rays (record_samples and replay_samples, built by `ninja
+-C build ablation_tools`). Needs oiiotool (Debian: openimageio-tools)."""
 
 import argparse
 import pathlib
@@ -48,7 +48,7 @@ def record(tools, scene, corner, path):
 
 
 def replay(tools, samples, rays, prefix):
-    """Writes the pictures of COLUMNS with this many rays a pixel, and the mean of all samples."""
+    """Pictures, and the mean of all samples."""
     command = [
         tools / "replay_samples",
         samples,
@@ -71,7 +71,7 @@ def replay(tools, samples, rays, prefix):
 
 
 def make(tools, scene, corner, folder):
-    """A row for each number of rays: without, with, and the mean of all recorded samples."""
+    """For each number of rays."""
     samples = folder / f"{scene}.samples"
     record(tools, scene, corner, samples)
     shown = []

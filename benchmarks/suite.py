@@ -9,7 +9,7 @@ from benchmarks.lab import SCENES as SCENE_FOLDER
 from benchmarks.lab import STOCK, TILT_LENS, Part, Shot
 
 
-# Errors are compared at those of stock with these numbers of samples.
+# errors compared at: stock's with these numbers of samples
 TARGETS = (37, 100, 400, 1600)
 
 
@@ -30,8 +30,7 @@ class Scene:
         return Shot(self.name, form, tilted, **{"size": self.size, "part": self.part, "folder": self.folder, **more})
 
     def seconds(self, record):
-        """CPU seconds to compare: for a part those of its rays, since start and parsing count for little in the
-        whole picture."""
+        """CPU seconds; for a part its rays', since start and parsing count for little in the whole."""
         return record["rays"] if self.part else record["cpu"]
 
 
@@ -48,7 +47,7 @@ SCENES = [
 ]
 LAMPS = ("lights", "dim")
 
-# The gallery's scenes. A strip from the upper to the lower edge has all distances in it.
+# A strip from the upper to the lower edge has all distances.
 DISPLAY = {
     "miniature_town": "town",
     "miniature_harbour": "harbour",
@@ -81,7 +80,7 @@ def of_gallery(name, folder):
     )
 
 
-# Settings for the best of stock: a minimum that prevents most early stops, and a variance that fits it.
+# stock's best: a minimum against early stops, and its variance
 STOCK_ADAPTIVE = [
     (16, 100, 1e-2),
     (16, 400, 1e-3),
@@ -108,7 +107,7 @@ def limits(least, most, variance, confidence=0.9):
 
 
 def stock_shots(scene, quick):
-    """(name, shot) of stock focal blur, first those whose errors are compared at."""
+    """(name, shot); first the errors compared at."""
     settings = [(samples, samples, 0, 0.9) for samples in (scene.targets[:3] if quick else scene.targets)]
     adaptive = STOCK_SPARING + STOCK_ADAPTIVE if scene.part else STOCK_ADAPTIVE
     most = 32 if quick and scene.part else 64 if quick or scene.part else 128  # minimum for the least error compared at
@@ -121,7 +120,7 @@ def stock_shots(scene, quick):
 
 
 def ours_chains(scene, tilted, quick):
-    """Lists of (name, shot) of tilt_lens, each from the roughest to the finest."""
+    """Lists of (name, shot), from rough to fine."""
     return [
         [(f"{least} {variance:g}", scene.shot(TILT_LENS, tilted, declare=limits(least, 16384, variance))) for variance in variances]
         for least, variances in OURS["part" if scene.part else "quick" if quick else "full"]

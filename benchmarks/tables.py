@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Building blocks of the sections of report.py: tables, goals, and ratios of CPU seconds at equal error."""
+"""Tables, goals, and ratios of CPU seconds at equal error."""
 
 import csv
 import dataclasses
@@ -16,8 +16,6 @@ TITLES = {scene.name: scene.title for scene in suite.SCENES} | suite.DISPLAY | {
 
 @dataclasses.dataclass(frozen=True)
 class Goal:
-    """A figure that the project aims at."""
-
     figure: str
     wanted: str
     measured: str
@@ -45,13 +43,12 @@ def machine():
 
 
 def table(header, rows):
-    """A table in Markdown."""
     lines = ["| " + " | ".join(header) + " |", "| " + " | ".join(["---"] * len(header)) + " |"]
     return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows])
 
 
 def ratio_cell(line):
-    """Ratio of CPU times, and the error compared at."""
+    """Ratio, and the error compared at."""
     if line["ratio"] is None:
         return f"not reached ({line['rmse']:.4f})"
     least = "at least " if line.get("at_least") else ""
@@ -59,7 +56,7 @@ def ratio_cell(line):
 
 
 def ratios(comparisons):
-    """A table of scenes by errors; its last line is the geometric mean of each column."""
+    """Scenes by errors; last, geometric means."""
     targets = sorted({line["target"] for lines in comparisons.values() for line in lines})
     cells = [{line["target"]: ratio_cell(line) for line in lines} for lines in comparisons.values()]
     rows = [[TITLES[scene], *[found.get(target, "not compared") for target in targets]] for scene, found in zip(comparisons, cells)]
@@ -72,7 +69,7 @@ def ratios(comparisons):
 
 
 def found_ratios(comparisons):
-    """(ratio, scene, line) of all errors that ours reached."""
+    """(ratio, scene, line) of all reached errors."""
     return [(line["ratio"], scene, line) for scene, found in comparisons.items() for line in found if line["ratio"]]
 
 
@@ -97,7 +94,7 @@ def ratio_goals(comparisons, other, wanted, least=None, where=""):
 
 
 def ratio_section(comparisons, goals):
-    """Table, goals, least ratio, and the number of errors that were not reached."""
+    """Table, goals, least ratio, number of unreached errors."""
     found = found_ratios(comparisons)
     missing = sum(line["ratio"] is None for lines in comparisons.values() for line in lines)
     paragraphs = [ratios(comparisons), *[goal.sentence() for goal in goals]]
@@ -116,7 +113,7 @@ def plots_of(comparisons, tilted):
 
 
 def both_sections(found, goals_of, plots=False):
-    """Untilted and tilted; the goals of both are below the tables."""
+    """The goals of both are below."""
     paragraphs = []
     for tilted, (name, words) in enumerate(
         (

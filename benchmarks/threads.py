@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Wall time of tracing the gallery's pictures with one thread and with more, and the share of it that threads wait.
-A thread that has no processor waits, too: the machine must be quiet."""
+"""Wall time of tracing by threads, and the share that they wait. The machine must be quiet: a thread without a processor waits, too."""
 
 import os
 import re
@@ -15,12 +14,11 @@ REPETITIONS = 3
 
 
 def numbers_of_threads(processors=None):
-    """1, 2, 4, ... up to 16, as far as there are processors."""
+    """1, 2, 4, ... up to 16, by processors."""
     return [threads for threads in (1, 2, 4, 8, 16) if threads <= max(2, processors or os.cpu_count() or 1)]
 
 
 def traced(messages):
-    """Wall seconds and CPU seconds of tracing, from the program's report."""
     found = re.search(r"^  Trace Time:[^(]*\(([0-9.]+) seconds\)\s+using \d+ thread\(s\) with ([0-9.]+) CPU-seconds", messages, re.M)
     if not found:
         raise Failed(f"the program does not report how long it traced:\n{messages[-1000:]}")
@@ -40,7 +38,7 @@ def run(lab, shot, repetition):
 
 
 def of_scene(lab, name):
-    """All numbers of threads are tried in turn, so that a busy minute of the machine hits all alike."""
+    """In turn, so that a busy minute hits all alike."""
     shots = {
         threads: Shot(name, TILT_LENS, 1, QUICK_SIZE if lab.quick else SIZE, threads=threads, folder=gallery.GALLERY)
         for threads in numbers_of_threads()
@@ -68,7 +66,7 @@ def of_scene(lab, name):
 
 
 def efficiency(rows, row):
-    """Speed of many threads over as many times the speed of one."""
+    """Speed over as many times one thread's."""
     one = next(other for other in rows if other["scene"] == row["scene"] and other["threads"] == 1)
     return one["wall"] / (row["threads"] * row["wall"])
 

@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The cost of a tilt: scenes/wall.pov has the same blur with and without. CPU times vary by more than the effect;
-instructions (of a smaller picture) do not."""
+"""scenes/wall.pov has the same blur with and without tilt. CPU times vary by more than the effect; instructions do not."""
 
 import dataclasses
 import shutil

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Tilted pictures: tilt_lens against the accumulation buffer, at the errors compared at untilted."""
+"""tilt_lens against the accumulation buffer, tilted, at the untilted errors."""
 
 import math
 
@@ -11,7 +11,7 @@ from benchmarks.versus_stock import repetitions, start_up
 
 
 def ours(lab, scene, reference, finest):
-    """tilt_lens from the roughest setting to one that is better than the finest error compared at."""
+    """From the roughest setting to one better than the finest error."""
     records = []
     for chain in suite.ours_chains(scene, 1, quick=True):
         for setting, shot in chain:
@@ -45,8 +45,7 @@ def measure(lab, scene, errors):
 
 
 def compare(records, errors):
-    """Seconds of both programs for each error; a lower bound where the accumulation buffer does not reach it with
-    all frames."""
+    """A lower bound where all frames do not reach an error."""
     fronts = {
         program: [(record["cpu"], record["rmse"]) for record in records if record["program"] == program]
         for program in ("accumulation", "tilt_lens")

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""tilt_lens against stock focal blur, untilted: CPU seconds at equal error."""
+"""Against stock focal blur, untilted: CPU seconds at equal error."""
 
 import collections
 import math
@@ -15,17 +15,17 @@ SECONDS_OF_SETTING, MOST_REPETITIONS = 4.0, 7
 
 
 def repetitions(first):
-    """As many runs of a setting as take some seconds: single short runs differ by up to a half on shared machines."""
+    """Some seconds in all: short runs differ by up to a half on shared machines."""
     return min(MOST_REPETITIONS, max(1, int(SECONDS_OF_SETTING / first["cpu"])))
 
 
 def start_up(lab, program, scene, shot):
-    """CPU seconds of start and parsing, 0 where they are not compared."""
+    """0 where not compared."""
     return 0.0 if scene.part else lab.start_up(program, shot)
 
 
 def first_runs(lab, scene, reference):
-    """Each setting once, alternately of the two programs, ours until it is better than all errors compared at."""
+    """Alternately, ours until better than all errors."""
     stock = collections.deque(suite.stock_shots(scene, lab.quick))
     chains = [collections.deque(chain) for chain in suite.ours_chains(scene, 0, lab.quick)]
     done, errors = [], {}
@@ -50,7 +50,7 @@ def first_runs(lab, scene, reference):
 
 
 def measure(lab, scene):
-    """Records of one scene; CPU seconds are medians over interleaved repetitions."""
+    """CPU seconds are medians of interleaved runs."""
     lab.say(f"{scene.name}: stock focal blur and tilt_lens")
     reference = lab.reference(scene.shot(TILT_LENS), *scene.reference)
     done = first_runs(lab, scene, reference)
@@ -75,7 +75,7 @@ def measure(lab, scene):
 
 
 def compare(scene, records):
-    """For each target: samples of stock, its error, and the seconds of both programs for this error."""
+    """Stock's samples and error, both programs' seconds."""
     fronts = {
         program: [(record["cpu"], record["rmse"]) for record in records if record["program"] == program]
         for program in ("stock", "tilt_lens")

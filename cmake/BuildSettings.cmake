@@ -11,21 +11,20 @@ if(NOT CMAKE_BUILD_TYPE)
     set(CMAKE_BUILD_TYPE Release CACHE STRING "Release or Debug" FORCE)
 endif()
 
-# C++17 with extensions is what Debian's g++ 12 takes by itself, and so what stock POV-Ray is built with.
+# Debian's g++ 12 takes C++17 with extensions by itself: stock POV-Ray's language.
 set(CMAKE_CXX_STANDARD 17)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS ON)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
-# Stock is built without NDEBUG: its assertions stay on. The prefix map keeps this folder's name out of
-# the program, so that two clones build the same files (and share one ccache).
+# Stock is built without NDEBUG: its assertions stay on. The prefix map makes clones in two folders equal (and share one ccache).
 set(CMAKE_CXX_FLAGS_RELEASE "-O3")
 set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g -fno-omit-frame-pointer")
 add_compile_options("-ffile-prefix-map=${CMAKE_SOURCE_DIR}=.")
-# Registers of 32 bytes are passed between inlined functions alone (math/simd.h), so that how others would take them does not matter.
+# Only inlined functions pass registers of 32 bytes (math/simd.h).
 add_compile_options(-Wno-psabi)
 
-# A write past an array ends the program at once. Sanitizers check more, and do not go with the C library's checks.
+# A write past an array ends the program. Sanitizers check more, and exclude the C library's checks.
 set(TILT_LENS_CHECK_STACK)
 if(NOT TILT_LENS_SANITIZE)
     set(TILT_LENS_CHECK_STACK -fstack-protector-strong)
@@ -42,8 +41,8 @@ if(TILT_LENS_SANITIZE)
     add_link_options(-fsanitize=${TILT_LENS_SANITIZE})
 endif()
 
-# Two steps in one folder, since a profile lies beside the object that it is of (cmake/build-fast takes both).
-# prefer-atomic: threads count together. A file that the training did not reach is compiled as usual.
+# A profile lies beside its object: two steps in one folder (cmake/build-fast takes both). prefer-atomic: threads count together. Files
+# without a profile are compiled as usual.
 if(TILT_LENS_PROFILE STREQUAL "make")
     add_compile_options(-fprofile-generate -fprofile-update=prefer-atomic)
     add_link_options(-fprofile-generate)
@@ -54,7 +53,7 @@ elseif(TILT_LENS_PROFILE)
     message(FATAL_ERROR "TILT_LENS_PROFILE is \"${TILT_LENS_PROFILE}\"; it can be \"make\", \"use\" or empty")
 endif()
 
-# Tries ccache once: it stops every compilation where it cannot write its folder (an account without a home).
+# ccache stops every compilation where it cannot write its folder.
 function(tilt_lens_try_ccache)
     set(probe "${CMAKE_BINARY_DIR}/CMakeFiles/ccache-probe.cpp")
     file(WRITE "${probe}" "int probe;\n")
@@ -76,7 +75,7 @@ if(TILT_LENS_CCACHE)
         tilt_lens_try_ccache()
     endif()
     if(CCACHE_PROGRAM AND TILT_LENS_CCACHE_WORKS)
-        # Paths below this folder are hashed relative to it, and the folder itself is not: another clone hits.
+        # Paths are hashed relative to this folder: another clone hits.
         set(CMAKE_CXX_COMPILER_LAUNCHER
             /usr/bin/env "CCACHE_BASEDIR=${CMAKE_SOURCE_DIR}" CCACHE_NOHASHDIR=1 "${CCACHE_PROGRAM}")
     endif()

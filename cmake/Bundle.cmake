@@ -1,9 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 #
-# An archive that runs on any Linux with a glibc that is not older than this system's, with nothing installed:
-# "cmake --build build --target bundle". Its folder is laid out like this repository, so that ./render and the links in the pages
-# work there, and like an installation, so that the program finds its files:
+# An archive for any Linux with this system's glibc or a newer one: "cmake --build build --target bundle". Its folder is laid out like this
+# repository, for ./render and the pages' links, and like an installation, for the program:
 #
 #   render, cmake/setup.sh            the command, with a set-up that has nothing to do
 #   bin/povray, lib/                  the program, and all libraries that it loads but glibc's
@@ -16,13 +15,13 @@ set(bundle_name "povray-tilt-lens-${PROJECT_VERSION}-linux-${CMAKE_SYSTEM_PROCES
 set(bundle_files "${CMAKE_BINARY_DIR}/bundle")
 set(for_bundle COMPONENT bundle EXCLUDE_FROM_ALL)
 
-# DT_RPATH, not DT_RUNPATH: it holds for the libraries of libraries as well.
+# DT_RPATH, not DT_RUNPATH, also holds for libraries of libraries.
 add_povray_program(povray_bundled)
 set_target_properties(povray_bundled PROPERTIES EXCLUDE_FROM_ALL $<NOT:$<BOOL:${TILT_LENS_TESTS}>> OUTPUT_NAME povray
     RUNTIME_OUTPUT_DIRECTORY "${bundle_files}/bin" BUILD_WITH_INSTALL_RPATH ON INSTALL_RPATH "$ORIGIN/../lib")
 target_link_options(povray_bundled PRIVATE -Wl,--disable-new-dtags)
 
-# Settings that name no folder: the program adds that of its include files itself.
+# No folders: the program adds its own.
 run_tree_ini(ini)
 run_tree_conf(conf "%INSTALLDIR%/../..")
 file(CONFIGURE OUTPUT "${bundle_files}/povray.ini" CONTENT "${ini}" @ONLY)

@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 #
-# The two headers that POV-Ray's own configure script would write: config.h and jversion.h.
+# The headers of POV-Ray's configure script.
 include_guard()
 include(CheckFunctionExists)
 include(CheckIncludeFile)
@@ -23,11 +23,10 @@ string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}}" POVRAY_CXXFLA
 
 set(POVRAY_GENERATED "${CMAKE_BINARY_DIR}/generated")
 configure_file("${CMAKE_CURRENT_LIST_DIR}/config.h.in" "${POVRAY_GENERATED}/config.h" @ONLY)
-# Printed in the list of libraries at the start of a render; unknown is spelt "" as upstream does.
+# Printed at the start of a render; unknown is "" as upstream has it.
 file(CONFIGURE OUTPUT "${POVRAY_GENERATED}/jversion.h" CONTENT "#define JVERSION \"${JPEG_VERSION}\"\n")
 
-# The name of this build, printed in the version lines. It is a definition of the files that use it and no line of config.h: a
-# changed patch must not recompile everything.
+# The build's name in the version lines. A definition of the files that use it: a changed patch must not recompile everything.
 if(TILT_LENS_PATCHES)
     patched_source_series_hash(series_hash "${TILT_LENS_SERIES}" ${TILT_LENS_LEFT_OUT})
     string(SUBSTRING "${series_hash}" 0 12 series_hash)
@@ -39,7 +38,7 @@ else()
     set(TILT_LENS_BUILD_NAME "povray-tilt-lens ${PROJECT_VERSION}, without its patch series")
 endif()
 
-# A hash of our source files, noted in state files with the name: no other program may continue a picture.
+# A hash of our sources in state files: no other program may continue a picture.
 file(GLOB_RECURSE own_sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/povray-src/*.cpp" "${CMAKE_SOURCE_DIR}/povray-src/*.h")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${own_sources})
 set(TILT_LENS_SOURCES_HASH "")

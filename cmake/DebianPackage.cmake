@@ -1,11 +1,10 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 #
-# The package for Debian ("cmake --build build --target package") and the archive of the source for those who build
-# elsewhere ("--target package_source").
+# The Debian package ("cmake --build build --target package") and the source archive ("--target package_source").
 #
-# The package installs beside Debian's own povray: all its files have folders and names of their own. The program finds
-# its files from where it lies (RunTree.cmake), so it lies in a prefix of its own, whose data and settings are links:
+# Installs beside Debian's povray, in a prefix of its own with links to data and settings, because the program finds its files from its own
+# place (RunTree.cmake).
 #
 #   /usr/lib/povray-tilt-lens/bin/povray          the program; /usr/bin/povray-tilt-lens is a link to it
 #   /usr/lib/povray-tilt-lens/share/povray-3.7    a link to /usr/share/povray-tilt-lens: include and ini files, scenes
@@ -20,7 +19,6 @@ set(package_conf etc/povray-tilt-lens)
 set(package_doc usr/share/doc/povray-tilt-lens)
 set(for_package COMPONENT debian EXCLUDE_FROM_ALL)      # "cmake --install" leaves these files out
 
-# Program, data and settings.
 run_tree_ini(ini "/${package_data}" "/${package_data}/ini" "/${package_data}/include")
 run_tree_conf(conf "read* = /${package_data}" "read* = /${package_conf}")
 file(CONFIGURE OUTPUT "${package_files}/povray.ini" CONTENT "${ini}" @ONLY)
@@ -39,13 +37,13 @@ install(CODE "
     file(CREATE_LINK ../../../share/povray-tilt-lens \"\${root}/${package_prefix}/share/povray-3.7\" SYMBOLIC)
     file(CREATE_LINK /${package_conf} \"\${root}/${package_prefix}/etc/povray/3.7\" SYMBOLIC)" ${for_package})
 
-# package_gzip(NAME TEXT): leaves TEXT in ${package_files}/NAME.gz, without a date.
+# package_gzip(NAME TEXT): TEXT in ${package_files}/NAME.gz, without a date.
 function(package_gzip name text)
     file(WRITE "${package_files}/${name}" "${text}")
     execute_process(COMMAND gzip -9nf "${package_files}/${name}" COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 
-# Manual pages: upstream's page, under the name that the program has here, and ours.
+# Upstream's manual page under this program's name, and ours.
 file(READ "${POVRAY_SOURCE}/unix/povray.1" page)
 string(REGEX REPLACE "\\.TH POV-Ray 1" ".TH POVRAY-TILT-LENS 1" page "${page}")
 string(REGEX REPLACE "povray( \\\\- POV)" "povray-tilt-lens\\1" page "${page}")
@@ -65,14 +63,12 @@ foreach(section IN ITEMS 1 7)
     install(FILES "${package_files}/povray-tilt-lens.${section}.gz" DESTINATION usr/share/man/man${section} ${for_package})
 endforeach()
 
-# Editors and the shell.
 install(FILES "${CMAKE_SOURCE_DIR}/editors/vim/after/syntax/pov.vim" DESTINATION usr/share/vim/vimfiles/after/syntax
     ${for_package})
 install(FILES "${CMAKE_SOURCE_DIR}/editors/bash/povray-tilt-lens.bash" DESTINATION usr/share/bash-completion/completions
     RENAME povray-tilt-lens ${for_package})
 
-# Pages, licences, changes, and the source, which the licence asks for. Debian's list of upstream's licences holds the
-# licence's text as well.
+# The licences ask for the source. Debian's list of upstream's licences holds their text.
 run_tree_install_pages(${package_doc} ${package_data} ${for_package})
 file(READ "${CMAKE_BINARY_DIR}/upstream/debian-copyright" copyright)
 file(READ "${package_templates}/copyright" own_copyright)
@@ -86,7 +82,7 @@ package_gzip(changelog "povray-tilt-lens (${PROJECT_VERSION}) unstable; urgency=
 ")
 configure_file("${package_templates}/SOURCE.in" "${package_files}/SOURCE" @ONLY)
 install(FILES "${package_files}/copyright" "${package_files}/SOURCE" "${package_files}/changelog.gz" DESTINATION ${package_doc} ${for_package})
-# What is linked into the program, its licence wants to be named with it.
+# linked libraries' licences ask to be named
 install(FILES /usr/share/doc/libjemalloc-dev/copyright DESTINATION ${package_doc} RENAME copyright.jemalloc ${for_package})
 install(CODE "
     set(doc \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${package_doc}\")
@@ -98,7 +94,6 @@ install(CODE "
         \"\${doc}/povray-tilt-lens-${PROJECT_VERSION}.tar.xz\")"
     ${for_package})
 
-# CPack.
 set(CPACK_PACKAGE_NAME povray-tilt-lens)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
 set(CPACK_PACKAGE_FILE_NAME "povray-tilt-lens-${PROJECT_VERSION}")
@@ -119,7 +114,7 @@ set(CPACK_DEBIAN_DEBIAN_PACKAGE_NAME povray-tilt-lens)
 set(CPACK_DEBIAN_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# The preview window's library is loaded with the first window, which dpkg-shlibdeps does not see.
+# loaded with the first window, unseen by dpkg-shlibdeps
 set(CPACK_DEBIAN_DEBIAN_PACKAGE_RECOMMENDS libsdl1.2debian)
 set(CPACK_DEBIAN_DEBIAN_PACKAGE_CONTROL_EXTRA "${package_templates}/conffiles")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)

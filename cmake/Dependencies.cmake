@@ -1,13 +1,11 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 #
-# The libraries POV-Ray is built with. All are required: a picture format or the preview window that is
-# silently left out would be found only when it is needed.
+# All required: a missing picture format or preview would be noticed only in use.
 include_guard()
 
 set(TILT_LENS_MISSING "")
 
-# Notes the Debian PACKAGE as missing where FOUND is false.
 macro(tilt_lens_require found package)
     if(NOT ${found})
         list(APPEND TILT_LENS_MISSING ${package})
@@ -20,7 +18,7 @@ find_package(ZLIB QUIET)
 find_package(PNG QUIET)
 find_package(JPEG QUIET)
 find_package(TIFF QUIET)
-# Debian's Imath names a Python library that its own package does not hold; the complaint is harmless.
+# Debian's Imath names a Python library outside its package; harmless.
 set(CMAKE_MESSAGE_LOG_LEVEL WARNING)
 find_package(OpenEXR CONFIG QUIET)
 unset(CMAKE_MESSAGE_LOG_LEVEL)

@@ -1,18 +1,16 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 #
-# The patched source tree: unpacks the pinned archive, applies the pinned patches of Debian's packaging and then our series with
-# no fuzz, and brings build/upstream/povray up to date file by file, so that a changed patch recompiles
-# only what it touches.
+# The patched source tree: unpacks the pinned archive, applies Debian's pinned patches and our series without fuzz, and updates
+# build/upstream/povray file by file, so that a changed patch recompiles only its files.
 #
-# A second tree is never patched over a first: each run starts from the archives in a folder of its own.
+# Each run starts from the archives: no tree is patched twice.
 include_guard()
 include("${CMAKE_CURRENT_LIST_DIR}/Upstream.cmake")
 
-# What the build and the program need of the package.
 set(PATCHED_SOURCE_PARTS source vfe unix distribution/include distribution/ini LICENSE changes.txt)
 
-# Sets OUT to the patches that SERIES lists, in order, but for those of the folders ARGN; "#" starts a comment.
+# Sets OUT to the patches of SERIES, without the folders ARGN; "#" starts a comment.
 function(patched_source_read_series out series)
     file(STRINGS "${series}" lines)
     set(names "")
@@ -28,7 +26,7 @@ function(patched_source_read_series out series)
     set(${out} "${names}" PARENT_SCOPE)
 endfunction()
 
-# Applies to TREE the patches ARGN of FOLDER, in order, and appends their names to the file RECORD.
+# Applies the patches ARGN of FOLDER to TREE, and appends their names to the file RECORD.
 function(patched_source_apply tree folder record)
     foreach(name IN LISTS ARGN)
         if(NOT EXISTS "${folder}/${name}")
@@ -47,8 +45,8 @@ function(patched_source_apply tree folder record)
     endforeach()
 endfunction()
 
-# Makes the parts of TREE equal to those of FRESH; only files whose content differs are written. Their
-# time becomes now (never the archive's), or a build would take a file of 2018 for older than its object.
+# Makes parts of TREE equal to FRESH's; only different files are written. They are dated now, never as in the archive: a file of 2018 would
+# be older than its object.
 function(patched_source_update tree fresh)
     foreach(part IN LISTS PATCHED_SOURCE_PARTS)
         foreach(side IN ITEMS fresh tree)
@@ -75,7 +73,7 @@ function(patched_source_update tree fresh)
     endforeach()
 endfunction()
 
-# Sets OUT to a hash of all that decides what the patched tree holds. Patches of the folders ARGN are left out.
+# Sets OUT to a hash of all that the patched tree depends on, without patches of the folders ARGN.
 function(patched_source_key out pin series_folder use_patches)
     file(SHA256 "${pin}" key)
     file(SHA256 "${CMAKE_CURRENT_FUNCTION_LIST_FILE}" recipe)
@@ -88,7 +86,7 @@ function(patched_source_key out pin series_folder use_patches)
     set(${out} "${key}" PARENT_SCOPE)
 endfunction()
 
-# Sets OUT to a hash of the names, order and contents of our series without the folders ARGN.
+# Sets OUT to a hash of the series, without the folders ARGN.
 function(patched_source_series_hash out series_folder)
     patched_source_read_series(names "${series_folder}/series" ${ARGN})
     set(text "")
@@ -103,8 +101,8 @@ function(patched_source_series_hash out series_folder)
     set(${out} "${hash}" PARENT_SCOPE)
 endfunction()
 
-# Brings WORK/povray up to date, without the patches of the folders ARGN. WORK/applied-patches lists what was applied to it, WORK/debian-copyright its
-# licences, WORK/key what it was made from; the key is removed first and written last, so that an interrupted run counts as none.
+# Updates WORK/povray, without patches of the folders ARGN. WORK/applied-patches lists the patches, WORK/debian-copyright the licences,
+# WORK/key the inputs; the key is removed first and written last, so that an interrupted run counts as none.
 function(patched_source_prepare work downloads pin series_folder use_patches)
     upstream_read_pin("${pin}")
     patched_source_key(key "${pin}" "${series_folder}" "${use_patches}" ${ARGN})
@@ -138,7 +136,7 @@ function(patched_source_prepare work downloads pin series_folder use_patches)
     file(WRITE "${work}/key" "${key}")
 endfunction()
 
-# Configures again, and with it prepares again, when the pin, the series or a listed patch changes.
+# A changed pin, series or patch configures and prepares again.
 function(patched_source_configure_depends pin series_folder)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${pin}" "${series_folder}/series")
     patched_source_read_series(names "${series_folder}/series")

@@ -1,15 +1,14 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 #
-# The program: upstream's patched files, our files at upstream's paths (compiled where they lie in the
-# repository), the camera library, and the speedups.
+# Upstream's patched files, our files at upstream's paths, the camera library, and the speedups.
 include_guard()
 
 set(POVRAY_SOURCE "${CMAKE_BINARY_DIR}/upstream/povray")
 set(POVRAY_OWN "${CMAKE_SOURCE_DIR}/povray-src/povray")
 set(POVRAY_SPEEDUPS "${CMAKE_SOURCE_DIR}/povray-src/speedups/povray")
 
-# The patched tree changes only while configuring, so that its list needs no second look at build time.
+# changes only while configuring
 file(GLOB_RECURSE povray_core "${POVRAY_SOURCE}/source/*.cpp")
 file(GLOB povray_vfe "${POVRAY_SOURCE}/vfe/*.cpp" "${POVRAY_SOURCE}/vfe/unix/*.cpp")
 set(povray_unix "${POVRAY_SOURCE}/unix/disp_text.cpp" "${POVRAY_SOURCE}/unix/disp_sdl.cpp")
@@ -20,8 +19,7 @@ if(SPEEDUPS)
     list(APPEND povray_own_core ${povray_speedups})
 endif()
 
-# What every file is compiled with, ours and upstream's. Both trees are searched for one include path:
-# "backend/render/x.h" is found wherever it lies.
+# Options of all files. Both trees are searched for "backend/render/x.h".
 add_library(povray_settings INTERFACE)
 target_compile_definitions(povray_settings INTERFACE HAVE_CONFIG_H _GNU_SOURCE=1 _REENTRANT
     BOOST_BIND_GLOBAL_PLACEHOLDERS)     # upstream's way of using them; Boost prints a note without this
@@ -31,7 +29,7 @@ set(povray_folders source source/backend source/base source/frontend vfe vfe/uni
 list(TRANSFORM povray_folders PREPEND "${POVRAY_SOURCE}/")
 target_include_directories(povray_settings INTERFACE ${povray_folders})
 target_include_directories(povray_settings INTERFACE "${POVRAY_OWN}/source" "${POVRAY_OWN}" "${SDL_INCLUDE_DIR}")
-# Ours for upstream's Unix files: where the installation lies, what the console says, the preview's library.
+# For upstream's Unix files: place of the installation, console, preview's library.
 add_library(povray_own_unix STATIC ${povray_own_unix})
 target_include_directories(povray_own_unix PRIVATE "${POVRAY_OWN}" "${SDL_INCLUDE_DIR}")
 target_compile_definitions(povray_own_unix PRIVATE TILT_LENS_INSTALL_PREFIX="${CMAKE_INSTALL_PREFIX}")
@@ -45,15 +43,13 @@ if(SPEEDUPS)
     target_link_libraries(povray_settings INTERFACE speedups)
 endif()
 
-# Object libraries: all files reach the link, in no particular order. Upstream's own warnings are not ours
-# to mend (-w); our files keep theirs.
+# Object libraries: all files reach the link. Upstream's warnings are off (-w); ours stay.
 add_library(povray_core OBJECT ${povray_core})
 target_link_libraries(povray_core PRIVATE povray_settings)
 target_compile_options(povray_core PRIVATE -w)
 
-# Most of a compilation is upstream's headers, so its files are compiled some at a time. Not those that define the same
-# names (shapes) or include a header that has no guard (parser), nor those whose functions the fuzzers' driver replaces
-# at the link (povms, scene): that needs callers in other objects. Nor the files that patches in fixes bring.
+# Upstream's headers are most of a compilation, so its files are compiled some at a time. Except where names clash (shapes) or a header has
+# no guard (parser), where the fuzzers replace functions at the link (povms, scene), and for files that fixes bring.
 set_target_properties(povray_core PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
 set(povray_alone ${povray_core})
 list(FILTER povray_alone INCLUDE REGEX "/backend/(shape|parser)/|/base/povms\\.cpp$|/backend/scene/scene\\.cpp$")
@@ -65,35 +61,33 @@ foreach(source IN LISTS povray_core)
 endforeach()
 set_source_files_properties(${povray_alone} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 
-# Where text of others is read, functions check their stack. Elsewhere they do not: with vectors on nearly each stack, that would
-# be 3 % of all instructions.
+# Functions that read others' text check their stack; elsewhere that would be 3 % of all instructions.
 set(povray_checks_stack ${povray_core})
 list(FILTER povray_checks_stack INCLUDE REGEX "/backend/parser/")
 set_source_files_properties(${povray_checks_stack} PROPERTIES COMPILE_OPTIONS "${TILT_LENS_CHECK_STACK}")
 
-# vfe reads the folders of the installation from two macros; ours make them an answer found at run time.
+# vfe's two macros of installation folders become a run-time answer.
 add_library(povray_vfe OBJECT ${povray_vfe})
 target_link_libraries(povray_vfe PRIVATE povray_settings)
 target_compile_options(povray_vfe PRIVATE -w ${TILT_LENS_CHECK_STACK} "SHELL:-include vfe/unix/install_folders.h")
 target_compile_definitions(povray_vfe PRIVATE POVCONFDIR_BACKWARD="/etc")
 set_target_properties(povray_vfe PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
 
-# For our files that include upstream's headers: warnings for our own lines only, neither for those headers, nor for
-# their message codes such as 'OCLA'.
+# Warnings for our lines only, not for upstream's headers or message codes such as 'OCLA'.
 add_library(povray_own_settings INTERFACE)
 target_link_libraries(povray_own_settings INTERFACE povray_settings)
 target_include_directories(povray_own_settings SYSTEM INTERFACE ${povray_folders})
 target_compile_options(povray_own_settings INTERFACE -Wall -Wextra -Wno-multichar)
 
-# Without our patches nothing of upstream calls our files.
+# without our patches upstream calls none of our files
 if(TILT_LENS_PATCHES AND povray_own_core)
     add_library(povray_own OBJECT ${povray_own_core})
-    # Fewer at a time than upstream's, so that a change of one file compiles soon.
+    # fewer at a time, so that a change compiles soon
     set_target_properties(povray_own PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 4)
     target_link_libraries(povray_own PRIVATE povray_own_settings)
 endif()
 
-# add_povray_program(NAME): a program of all these objects. Sanitizers have allocators of their own.
+# add_povray_program(NAME): all these objects. Sanitizers have their own allocators.
 function(add_povray_program name)
     add_executable(${name} ${povray_unix})
     target_link_libraries(${name} PRIVATE povray_settings povray_core povray_vfe)

@@ -1,19 +1,17 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 #
-# What the program needs beside it to run: include files with fonts, ini files, the I/O permissions.
+# Files beside the program: include files with fonts, ini files, I/O permissions.
 #
-# The program looks for <prefix>/share/povray-3.7 and <prefix>/etc/povray/3.7 where it lies in <prefix>/bin
-# (povray-src/povray/vfe/unix/install_folders.cpp). The build folder is such a prefix, so is any folder that
-# "cmake --install" writes to, also after it was moved.
+# In <prefix>/bin, the program looks for <prefix>/share/povray-3.7 and <prefix>/etc/povray/3.7
+# (povray-src/povray/vfe/unix/install_folders.cpp). Prefixes: the build folder, and any installation, also moved.
 include_guard()
 
 set(data_folder share/povray-3.7)
 set(conf_folder etc/povray/3.7)
 set(scenes "${CMAKE_SOURCE_DIR}/scenes")
 
-# Sets OUT to the text of povray.ini: upstream's file and what its build adds to it, with Library_Path
-# lines for FOLDERS.
+# Sets OUT to povray.ini: upstream's, with Library_Path lines for FOLDERS.
 function(run_tree_ini out)
     file(READ "${POVRAY_SOURCE}/distribution/ini/povray.ini" text)
     string(APPEND text "\n;; Search path for include and ini files that are not in the current folder.\n")
@@ -24,8 +22,7 @@ function(run_tree_ini out)
     set(${out} "${text}" PARENT_SCOPE)
 endfunction()
 
-# run_tree_conf(OUT PROTECTED...): sets OUT to the text of povray.conf: upstream's file, without permissions for folders that have
-# nothing to do with the scene. Scenes never write in the folders PROTECTED.
+# run_tree_conf(OUT PROTECTED...): povray.conf: upstream's, without permissions for foreign folders. Scenes never write in PROTECTED.
 function(run_tree_conf out)
     file(READ "${POVRAY_SOURCE}/unix/povray.conf" text)
     string(FIND "${text}" "\nread* = " first)
@@ -39,7 +36,7 @@ function(run_tree_conf out)
     set(${out} "${text}" PARENT_SCOPE)
 endfunction()
 
-# The build folder: links to the patched tree.
+# build folder: links to the patched tree
 file(MAKE_DIRECTORY "${CMAKE_BINARY_DIR}/${data_folder}")
 foreach(part IN ITEMS include ini)
     file(CREATE_LINK "${POVRAY_SOURCE}/distribution/${part}" "${CMAKE_BINARY_DIR}/${data_folder}/${part}" SYMBOLIC)
@@ -47,11 +44,11 @@ endforeach()
 set(built_data "${CMAKE_BINARY_DIR}/${data_folder}")
 run_tree_ini(ini "${built_data}" "${built_data}/ini" "${built_data}/include" "${scenes}/include")
 run_tree_conf(conf "${CMAKE_SOURCE_DIR}" "${CMAKE_BINARY_DIR}")
-# "@ONLY"-free: the texts hold no placeholder, and an unchanged file keeps its time.
+# unchanged files keep their time
 file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/${conf_folder}/povray.ini" CONTENT "${ini}" @ONLY)
 file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/${conf_folder}/povray.conf" CONTENT "${conf}" @ONLY)
 
-# An installation. povray.ini names the prefix, which is known only while installing.
+# Only installing shows the prefix that povray.ini names.
 run_tree_ini(ini "INSTALL_DATA" "INSTALL_DATA/ini" "INSTALL_DATA/include")
 run_tree_conf(conf "%INSTALLDIR%/scenes")
 set(staged "${CMAKE_BINARY_DIR}/install")
@@ -75,9 +72,8 @@ install(CODE "
 install(FILES "${POVRAY_SOURCE}/unix/povray.1" DESTINATION share/man/man1)
 install(FILES "${CMAKE_SOURCE_DIR}/docs/man/povray-tilt-lens.7" DESTINATION share/man/man7)
 
-# run_tree_install_pages(DOC DATA ...): installs the pages into the folder DOC, laid out as in the repository so that
-# their links hold; the scenes, which they name too, are links to those in DATA. Both are relative to the prefix. What
-# follows is for install(), such as a component.
+# run_tree_install_pages(DOC DATA ...): pages in the folder DOC, laid out as here for their links; the scenes are links to DATA's. Relative
+# to the prefix. Further arguments are install()'s, such as a component.
 function(run_tree_install_pages doc data)
     install(FILES "${CMAKE_SOURCE_DIR}/README.md" DESTINATION ${doc} ${ARGN})
     install(DIRECTORY "${CMAKE_SOURCE_DIR}/docs" "${CMAKE_SOURCE_DIR}/editors" DESTINATION ${doc} ${ARGN}

@@ -1,8 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 #
-# Code that only makes POV-Ray faster, as a library without any header of POV-Ray. Users include, for example,
-# "speedups/box_hierarchy.h". The files of povray-src/speedups/povray, at upstream's paths, are part of the program.
+# Code that only makes POV-Ray faster, without headers of POV-Ray: "speedups/box_hierarchy.h". The files of povray-src/speedups/povray are
+# part of the program.
 include_guard()
 
 if(SPEEDUPS)

@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 #
-# The camera as a plain C++17 library, without any header of POV-Ray. Users include, for example, "tilt_lens/camera/optics.h".
+# The camera as a C++17 library without headers of POV-Ray: "tilt_lens/camera/optics.h".
 include_guard()
 
 set(tilt_lens_folder "${CMAKE_SOURCE_DIR}/povray-src/tilt_lens")
@@ -9,7 +9,7 @@ file(GLOB tilt_lens_sources CONFIGURE_DEPENDS "${tilt_lens_folder}/*/*.cpp")
 file(GLOB tilt_lens_kernels CONFIGURE_DEPENDS "${tilt_lens_folder}/kernels/*.cpp")
 list(REMOVE_ITEM tilt_lens_sources ${tilt_lens_kernels})
 
-# Bytes of a vector register and options of each variant of the kernels (math/kernels.h).
+# Vector register's bytes, and options, of each variant of the kernels (math/kernels.h).
 set(tilt_lens_register_plain 16)
 set(tilt_lens_options_plain)
 set(tilt_lens_register_avx2 32)
@@ -19,8 +19,7 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|i.86)$")
     list(APPEND tilt_lens_variants avx2)
 endif()
 
-# add_tilt_lens_kernels(TARGET): the kernels for a library or a program of tilt_lens_sources, compiled with its options, as the object
-# libraries TARGET_plain and TARGET_avx2.
+# add_tilt_lens_kernels(TARGET): kernels for tilt_lens_sources, with TARGET's options, as TARGET_plain and TARGET_avx2.
 function(add_tilt_lens_kernels target)
     get_target_property(type ${target} TYPE)
     foreach(variant IN LISTS tilt_lens_variants)
@@ -43,10 +42,9 @@ endfunction()
 
 add_library(tilt_lens STATIC ${tilt_lens_sources})
 target_include_directories(tilt_lens PUBLIC "${CMAKE_SOURCE_DIR}/povray-src")
-# No fused multiply-add, also in functions of the headers and in upstream's files: a processor that has it, such as arm64, would
-# give other pixels than one that has not.
+# No fused multiply-add, in all files: processors that have it, such as arm64, would give other pixels.
 target_compile_options(tilt_lens PUBLIC -ffp-contract=off)
-# Nobody asks for errno: without it, a square root is one instruction.
+# Without errno a square root is one instruction.
 target_compile_options(tilt_lens PRIVATE -Wall -Wextra -fno-math-errno)
 target_link_libraries(tilt_lens PRIVATE Boost::headers nlohmann_json::nlohmann_json)
 if(TILT_LENS_SANITIZE MATCHES "undefined")

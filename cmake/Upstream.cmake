@@ -1,11 +1,9 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 #
-# The pinned source of upstream: reads the pin, checks files against it, and finds the files
-# (a folder given by POVRAY_TARBALL, the download folder, or the network, in this order).
+# The pinned source: reads the pin, checks and finds the files in POVRAY_TARBALL, the download folder, or the network, in this order.
 #
-# The pin is what is compiled: upstream's tarball, and the patches of Debian's packaging that change files which the build
-# uses. The packaging of any revision, of Debian or of a system derived from it, will do if it holds these patches.
+# Pinned: upstream's tarball, and Debian's patches of files in the build. Any packaging with these patches will do.
 #
 # upstream_read_pin sets in the caller's scope:
 #   UPSTREAM_PACKAGE, UPSTREAM_VERSION, UPSTREAM_SOURCE_FOLDER
@@ -14,7 +12,7 @@
 #   UPSTREAM_SHA256_<N>              hash of patch N of the list, counted from 0
 include_guard()
 
-# Reads povray-src/upstream.json, or the file PIN.
+# From povray-src/upstream.json, or the file PIN.
 macro(upstream_read_pin pin)
     file(READ "${pin}" upstream_json)
     string(JSON UPSTREAM_PACKAGE GET "${upstream_json}" package)
@@ -33,7 +31,7 @@ macro(upstream_read_pin pin)
     endforeach()
 endmacro()
 
-# Sets OUT to the faults of upstream's tarball in FOLDER, or to "" where it is the pinned file.
+# Sets OUT to the tarball's faults in FOLDER, or "".
 function(upstream_tarball_fault out folder)
     set(path "${folder}/${UPSTREAM_TARBALL}")
     set(fault "")
@@ -56,7 +54,7 @@ function(upstream_tarball_fault out folder)
     set(${out} "${fault}" PARENT_SCOPE)
 endfunction()
 
-# Unpacks ARCHIVE into FOLDER, which is made anew. Sets OUT to "", or to what went wrong; then there is no FOLDER.
+# Unpacks ARCHIVE into FOLDER, made anew. Sets OUT to "", or to the fault; then there is no FOLDER.
 function(upstream_unpack out archive folder)
     file(REMOVE_RECURSE "${folder}")
     file(MAKE_DIRECTORY "${folder}")
@@ -73,8 +71,7 @@ function(upstream_unpack out archive folder)
     set(${out} "${fault}" PARENT_SCOPE)
 endfunction()
 
-# Unpacks ARCHIVE, a packaging, into the new folder SCRATCH. Sets OUT to its faults, or to "" where SCRATCH/debian holds every
-# pinned patch.
+# Unpacks a packaging into the new folder SCRATCH. Sets OUT to its faults, or "" if SCRATCH/debian holds every pinned patch.
 function(upstream_packaging_faults out archive scratch)
     upstream_unpack(faults "${archive}" "${scratch}")
     if(faults)
@@ -102,8 +99,8 @@ function(upstream_packaging_faults out archive scratch)
     set(${out} "${faults}" PARENT_SCOPE)
 endfunction()
 
-# Looks in FOLDER for upstream's tarball and for a packaging with every pinned patch, the newest revision first. Sets PACKAGING to the
-# packaging's archive, which is then unpacked in SCRATCH, and FAULTS to ""; or FAULTS to a text on what the folder lacks.
+# Looks in FOLDER for the tarball and the newest packaging with every pinned patch. Sets PACKAGING, unpacked in SCRATCH, and FAULTS to "";
+# or FAULTS to a text.
 function(upstream_find packaging faults folder scratch)
     upstream_tarball_fault(lacking "${folder}")
     file(GLOB archives "${folder}/${UPSTREAM_PACKAGE}_${UPSTREAM_VERSION}-*.debian.tar.*")
@@ -127,7 +124,7 @@ function(upstream_find packaging faults folder scratch)
     set(${faults} "${lacking}${lacking_packaging}" PARENT_SCOPE)
 endfunction()
 
-# Sets OUT to the advice that ends each message about a source that is not the pinned one.
+# Sets OUT to the advice after each message about a wrong source.
 function(upstream_advice out)
     string(CONCAT text "Two files are needed, ${UPSTREAM_TARBALL} and a packaging whose patches are those pinned in "
         "povray-src/upstream.json. The mirrors of Debian have both in pool/main/p/${UPSTREAM_PACKAGE}. Put them into a folder and "
@@ -136,8 +133,8 @@ function(upstream_advice out)
     set(${out} "${text}" PARENT_SCOPE)
 endfunction()
 
-# Downloads into a folder of this attempt alone and hands over checked files only, so that whatever
-# ends this attempt, the next one starts clean. Sets PACKAGING to the packaging's archive, unpacked in SCRATCH.
+# Downloads into a folder of this attempt and hands over checked files only, so that the next attempt starts clean. Sets PACKAGING, unpacked
+# in SCRATCH.
 function(upstream_download packaging downloads scratch)
     set(attempt "${downloads}/attempt")
     file(REMOVE_RECURSE "${attempt}")
@@ -165,8 +162,7 @@ function(upstream_download packaging downloads scratch)
     set(${packaging} "${downloads}/${name}" PARENT_SCOPE)
 endfunction()
 
-# Sets TARBALL to upstream's archive as pinned, fetching it where needed, and leaves a packaging with the pinned patches
-# unpacked in SCRATCH/debian.
+# Sets TARBALL to upstream's pinned archive, fetched where needed; a packaging with the pinned patches is unpacked in SCRATCH/debian.
 function(upstream_obtain tarball downloads scratch)
     if(POVRAY_TARBALL)
         get_filename_component(folder "${POVRAY_TARBALL}" ABSOLUTE BASE_DIR "${CMAKE_BINARY_DIR}")

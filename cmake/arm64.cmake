@@ -1,8 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 #
-# Compiles for arm64 on another Debian system, with crossbuild-essential-arm64 and the libraries of that architecture
-# (docs/building.md). Programs run by qemu's emulation of the processor.
+# Compiles for arm64 on Debian, with crossbuild-essential-arm64 and that architecture's libraries (docs/building.md). Programs run under
+# qemu.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
 set(CMAKE_C_COMPILER aarch64-linux-gnu-gcc)

@@ -15,7 +15,7 @@ build=$repository/build
 say() { printf '%s\n' "$@" >&2; }
 die() { printf '%s: ' "${0##*/}" >&2; say "$@"; exit 1; }
 
-# quoted TEXT: in quotation marks, which povray needs around a name that holds spaces.
+# quoted TEXT: povray needs quotation marks around spaces.
 quoted()
 {
     case $1 in
@@ -26,15 +26,14 @@ quoted()
 
 has_apt() { command -v dpkg-query >/dev/null && command -v apt-get >/dev/null; }
 
-# packages_of render|batch|focus|check: those in cmake/debian-packages that this command needs, one a line: a name, or names
-# with | between them, any one of which will do.
+# packages_of render|batch|focus|check: lines of cmake/debian-packages for this command: a name, or alternatives with | between them.
 packages_of()
 {
     awk -v group="$1" '!/^#/ && NF == 2 && ($1 == "render" || $1 == group || group == "check") { print $2 }' \
         "$repository/cmake/debian-packages"
 }
 
-# missing_packages GROUP: the lines of packages_of of which nothing is installed. Libraries for another processor do not count.
+# missing_packages GROUP: lines of packages_of with nothing installed. Libraries for another processor do not count.
 missing_packages()
 {
     local -a wanted names
@@ -52,7 +51,7 @@ missing_packages()
     done
 }
 
-# choose_packages NAMES...: for each the first of its alternatives that apt can install; the first of all where it knows none.
+# choose_packages NAMES...: for each the first alternative that apt can install, or the first of all.
 choose_packages()
 {
     local package name
@@ -73,7 +72,7 @@ install_packages()
     [ ${#missing[@]} -gt 0 ] || return 0
     local by_hand="sudo apt-get install --no-install-recommends ${missing[*]%%|*}"
     if [ "$(id -u)" -ne 0 ]; then
-        # Without a terminal sudo cannot ask for a password; it must not wait for one.
+        # Without a terminal, sudo must not wait for a password.
         if command -v sudo >/dev/null && { [ -t 0 ] || sudo -n true 2>/dev/null; }; then
             as_root=(sudo)
         else
@@ -82,7 +81,7 @@ install_packages()
         fi
     fi
     say "Installing Debian packages: ${missing[*]%%|*}"
-    # A failed update need not matter: the lists at hand may do.
+    # The lists at hand may do.
     "${as_root[@]}" apt-get -q update >&2 || say "(the package lists could not be renewed; trying with those at hand)"
     mapfile -t missing < <(choose_packages "${missing[@]}")
     "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
@@ -90,7 +89,7 @@ install_packages()
         || die "the packages could not be installed (see above; is there a network?). By hand:" "  $by_hand"
 }
 
-# lacking_tools: the commands of the build that are missing, and a CMake that is too old, one a line.
+# lacking_tools: missing commands of the build, and a CMake that is too old, one a line.
 lacking_tools()
 {
     local tool least found
@@ -104,7 +103,7 @@ lacking_tools()
     fi
 }
 
-# die_elsewhere CAUSE: the one message for systems that the set-up cannot serve.
+# die_elsewhere CAUSE: the message for systems that the set-up cannot serve.
 die_elsewhere()
 {
     die "$1" \
@@ -114,7 +113,7 @@ die_elsewhere()
         "with two files of Debian's source package povray:  ./render --source FOLDER"
 }
 
-# check_system FOLDER: whether this system can build, with POV-Ray's source from FOLDER, or from apt's mirrors where it is "".
+# check_system FOLDER: fails if this system cannot build, with POV-Ray's source from FOLDER, or from apt's mirrors for "".
 check_system()
 {
     local lacking
@@ -132,7 +131,7 @@ is_moved()
     ! { grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$repository" "$cache" && grep -qxF "CMAKE_CACHEFILE_DIR:INTERNAL=$build" "$cache"; }
 }
 
-# After a move all of the build folder but the downloads is made anew.
+# After a move all but the downloads is made anew.
 forget_moved_build()
 {
     is_moved || return 0
@@ -140,10 +139,10 @@ forget_moved_build()
     find "$build" -mindepth 1 -maxdepth 1 ! -name downloads ! -name setup.lock -exec rm -rf {} +
 }
 
-# in_cache ENTRY: whether CMake's cache of the build holds this line.
+# in_cache ENTRY: true if CMake's cache holds this line.
 in_cache() { grep -qxF -- "$1" "$build/CMakeCache.txt" 2>/dev/null; }
 
-# new_options render|batch|focus|check [FOLDER]: those of CMake that the configuration lacks, one a line.
+# new_options render|batch|focus|check [FOLDER]: CMake options that the configuration lacks, one a line.
 new_options()
 {
     if [ "$1" = check ] && ! in_cache TILT_LENS_TESTS:BOOL=ON; then
@@ -156,9 +155,8 @@ new_options()
 
 is_configured() { [ -f "$build/build.ninja" ] && [ -z "$(new_options "$@")" ]; }
 
-# configure render|batch|focus|check [FOLDER]: where there is no finished configuration, the tests are not yet part of it, or
-# the source shall come from another folder. Once on, the tests stay on: the commands must not turn each other's
-# configuration back.
+# configure render|batch|focus|check [FOLDER]: without a finished configuration, without the tests, or for another source. Tests stay on
+# once they are: commands must not undo each other's configuration.
 configure()
 {
     local -a options
@@ -170,8 +168,8 @@ configure()
         || die "the configuration failed (see above)."
 }
 
-# Passes on what ninja says. Its remarks on having nothing to do are left out, and so are CMake's lists of source files that came
-# or went. On a terminal the lines of progress overwrite each other.
+# Shows ninja's messages without those on nothing to do, and without CMake's lists of source files. On a terminal, lines of progress
+# overwrite each other.
 show_progress()
 {
     local line columns=0
@@ -193,8 +191,8 @@ show_progress()
     [ "$columns" -eq 0 ] || printf '\r\033[K' >&2
 }
 
-# is_built TARGET render|batch|focus|check [FOLDER]: whether nothing is left to do. A dry run on build.ninja itself would end
-# at the check whether CMake must run, which is therefore made here.
+# is_built TARGET render|batch|focus|check [FOLDER]: true if nothing is left to do. A dry run on build.ninja would end at the check whether
+# CMake must run, which is therefore made here.
 is_built()
 {
     local target=$1 input
@@ -221,8 +219,7 @@ setup()
     mkdir -p "$build" || die "cannot create $build."
     [ -w "$build" ] || die "cannot write into $build (it belongs to $(stat -c %U -- "$build"))."
     exec {setup_lock}>> "$build/setup.lock" || die "cannot write into $build."
-    # Finding nothing to do needs no more than that nobody builds; and building, that nobody else builds: two builds in one folder
-    # would spoil each other.
+    # With nothing to do, it suffices that nobody builds. A build must be the only one: two in one folder would spoil each other.
     if ! { flock -n -s "$setup_lock" && is_built "$target" "$1" "$folder"; }; then
         flock -n "$setup_lock" || { say "Waiting for another set-up in $build"; flock "$setup_lock"; }
         forget_moved_build

@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The blur in pictures against its closed form: the spots of small discs, the plane of sharp focus
-from slanted rulers, the hinge line by refocusing, and the wedge of the depth of field."""
+"""Measured blur against its closed form: spots of small discs, slanted rulers for the plane of sharp focus, refocusing for the hinge
+line, the wedge of the depth of field."""
 
 import dataclasses
 import itertools
@@ -23,7 +23,7 @@ def cropped(view, width, height):
 
 
 def spot_grid(lens):
-    """Discs all over the frame, with blurs from -8 to 8 pixels; (point, blur) pairs."""
+    """(point, blur): all over the frame, from -8 to 8 pixels."""
     blurs, found = (-8, -4, 0, 4, 8), []
     for j in range(lens.view.height // 60):
         for i in range(lens.view.width // 60):
@@ -42,7 +42,7 @@ def error_of(measured, wanted):
 
 
 def spots(lab):
-    """Discs in front of, on and behind tilted planes; second moments against the closed form."""
+    """Around tilted planes; second moments."""
     rows = []
     for tilt in (10.5,) if lab.quick else (0.0, 10.5, -6.0):
         lens = Lens.tilted(cropped(PLAIN, 180, 120) if lab.quick else PLAIN, tilt, THROUGH)
@@ -86,15 +86,14 @@ class Ruler:
         return add(self.middle, times(u, self.half))
 
     def places(self, lens):
-        """Evenly spaced in the picture, so that the spots of the marks do not overlap."""
+        """Evenly spaced in the picture."""
         near, far = (lens.view.local(self.at(u))[2] for u in (-1, 1))
         steps = [i / (self.count - 1) for i in range(self.count)]
         return [2 * t * near / (far * (1 - t) + near * t) - 1 for t in steps]
 
     def read(self, lens, moments):
-        """The width of a mark's blur across the tilt is in proportion to |1 - k.X| / X.z, and the depth X.z is
-        known: the square of width times depth is a parabola along the ruler that touches zero in the plane of sharp
-        focus."""
+        """A mark's blur across the tilt is proportional to |1 - k.X| / X.z: the square of width times depth is a parabola along the
+        ruler that touches zero in the plane of sharp focus."""
         values = []
         for u, (xx, _, _) in zip(self.places(lens), moments):
             own = lens.disc_moments(self.at(u), marks.radius_of(lens, self.at(u)))[0]
@@ -105,7 +104,7 @@ class Ruler:
         return self.at(-self.fit[1] / (2 * self.fit[2]))
 
     def limits(self, lens, diameter):
-        """Places, near and far, where the blur is `diameter` pixels wide (four standard deviations)."""
+        """Near and far, where the blur is `diameter` pixels (four standard deviations)."""
         start, end = (lens.view.local(self.at(u))[2] for u in (-1, 1))
         middle, slope = (start + end) / 2, (end - start) / 2
         centre, width = -self.fit[1] / (2 * self.fit[2]), math.sqrt(self.fit[2])
@@ -124,8 +123,7 @@ def read_rulers(lab, name, lens, through, rulers):
 
 
 def slanted(lens, x, top, bottom):
-    """A ruler between two rows of the picture across the plane of sharp focus. Its ends are 6 pixels out of focus,
-    the far one less where that would be nearly at infinity."""
+    """Across the plane of sharp focus, ends 6 pixels out of focus, unless nearly at infinity."""
     view, ends = lens.view, []
     defocus = 6 / (lens.radius * lens.pixels_per_slope())
     for y, sign in ((top, -1), (bottom, 1)):
@@ -153,7 +151,7 @@ def plane(lab):
 
 
 def line_through(a, b):
-    """(p, q) of the line z = p + q y."""
+    """(p, q) of z = p + q y."""
     q = (b[1] - a[1]) / (b[0] - a[0])
     return a[1] - q * a[0], q
 
@@ -170,7 +168,7 @@ WEDGE_BLUR = 6.0  # pixels
 
 
 def hinge_lines(lab, depth):
-    """Sharp, near and far limit in the plane x = 0, from two rulers, for one focus distance."""
+    """Sharp, near and far limit at x = 0, from two rulers."""
     through = (0, 0, depth)
     lens = Lens.tilted(HINGE_VIEW, HINGE_TILT, through)
     rulers = [slanted(lens, 30, 15, 145), slanted(lens, 90, 255, 385)]

@@ -1,8 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Figs. 5 to 8 and Table 1 of the paper by Nakane et al.: a box on a checker board, three states of focus,
-brightness along a line on its top, its side and the floor. The paper's photographs are not published; the second
-curve is the unpatched program's accumulation buffer."""
+"""Figs. 5 to 8 and Table 1 of Nakane et al.: a box on a checker board, three states of focus, brightness along lines. The paper's
+photographs are not published; the second curve is the accumulation buffer."""
 
 import dataclasses
 import math
@@ -14,20 +13,19 @@ VIEW = View(location=(0, 32, -50), look_at=(0, 3, 0), width=240, height=160, foc
 
 
 def turned(point):
-    """A point of the box in its place: rotated by 35 degrees about y, left-handed."""
+    """By 35 degrees about y, left-handed."""
     c, s = math.cos(math.radians(35)), math.sin(math.radians(35))
     return (c * point[0] + s * point[2], point[1], -s * point[0] + c * point[2])
 
 
 EDGE_TOP = turned((6, 8, -6))
-# World lines across the top (not through the corners of its squares), along the left-hand side face, and over the
-# floor from the near to the far left.
+# across the top (off its squares' corners), along the left face, over the floor
 LINES = {
     "red": ("top", "#cc0000", turned((5.6, 8, -5.0)), turned((-4.2, 8, 5.6))),
     "green": ("side", "#008800", turned((5.8, 3.2, -6)), turned((-5.6, 5.4, -6))),
     "pink": ("floor", "#dd44aa", (-9.3, 0, -14.0), (-15.1, 0, 13.0)),
 }
-# Average errors of the paper against its own photographs, 8-bit levels.
+# the paper's, against its photographs, 8-bit levels
 PAPER = {"b": {"red": 6.45, "green": 10.5, "pink": 11.3}, "c": {"red": 5.67, "green": 13.7, "pink": 16.1}}
 LIMITS = {0: 0.5, 1: 0.15}  # by Quality of box_camera.inc
 
@@ -39,7 +37,7 @@ def state(letter, view=VIEW):
 
 
 def oracle_case(letter, lens):
-    """The state for the oracle, by the tilt of the lens instead of the plane."""
+    """By the lens's tilt instead of the plane."""
     view = lens.view
     return {
         "picture": [view.width, view.height],
@@ -55,7 +53,7 @@ def oracle_case(letter, lens):
 
 
 def compare_lines(lab, letter, lens, pictures, names, stem, title):
-    """Profiles along the lines, of the pictures (the first: the reference); the differences."""
+    """The first picture is the reference."""
     found = {}
     for colour, (where, shade, start, end) in LINES.items():
         a, b = lens.pixel(start), lens.pixel(end)

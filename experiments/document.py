@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Writes docs/paper.md and docs/pictures/paper from a run. Tables within the text are written from its files, so that no
-number is typed by hand:
+"""Writes docs/paper.md and docs/pictures/paper from a run. Its tables are those of the files:
 
 <!-- table: spots/claims.csv -->
 ...the program replaces this text...
@@ -52,7 +51,6 @@ def update(folders):
 
 
 def faults():
-    """Differences between the page and the stored results."""
     found = [f"docs/{link} is missing" for link in LINK.findall(TEXT.read_text()) if not (TEXT.parent / link).is_file()]
     found += [f"docs/pictures/paper/{name} is missing" for _, name, _ in TABLE.findall(TEXT.read_text()) if not (PICTURES / name).is_file()]
     if not found and written() != TEXT.read_text():

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Equation (1) of the paper by Nakane et al. as a table, from the fork's solver, and in the reverse direction."""
+"""Equation (1) of Nakane et al. from the fork's solver, and reversed."""
 
 from experiments.laboratory import Claim
 

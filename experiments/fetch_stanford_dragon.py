@@ -17,7 +17,7 @@ MODEL = "package/models/dragon_vrip_res{}.ply.gz"
 
 
 def read_ply(text):
-    """Vertices and triangles of an ASCII PLY file without other elements."""
+    """ASCII, without other elements."""
     lines = iter(text.splitlines())
     counts = {}
     for line in lines:
@@ -36,7 +36,7 @@ def read_ply(text):
 
 
 def write_mesh(out, vertices, faces):
-    """In the place of our own dragon: about 3 units long, on y = 0, head toward -x."""
+    """About 3 units long, on y = 0, head toward -x."""
     low = [min(v[i] for v in vertices) for i in range(3)]
     high = [max(v[i] for v in vertices) for i in range(3)]
     size = 2.9 / (high[0] - low[0])

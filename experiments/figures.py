@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The paper's Figs. 4, 5, 6 and 9: the blur of objects, measured against a pinhole picture of the same scene."""
+"""Figs. 4, 5, 6 and 9: blur measured against a pinhole picture."""
 
 import dataclasses
 
@@ -13,8 +13,7 @@ PINHOLE = 0.0001  # factor of the aperture
 
 
 def pictures(lab, names, size, pinhole, finer=1, declare=()):
-    """Linear pictures by name; `pinhole` has declarations for the pinhole's picture of the first, as many times
-    finer."""
+    """`pinhole`: declarations for the first one's pinhole picture, as many times finer."""
     found = {}
     for name in names:
         found[name] = lab.render(SCENES / f"{name}.pov", f"{name}.exr", size, declare)
@@ -32,8 +31,7 @@ def around(number, low, high, name):
 
 
 def dragons(lab):
-    """Fig. 4: with the normal lens the second dragon is sharp, with the tilted lens all four. The floor to their
-    right is tested, where no object of another depth covers it."""
+    """Fig. 4: normal, the second dragon is sharp; tilted, all four. The floor beside them is tested."""
     view = View((0.2, 2.7, -9.5), (0.55, 0.9, 2.2), *((256, 144) if lab.quick else (640, 360)), 0, 0, 1000)
     floor = [around(i, (1.5, 0, -0.6), (2.9, 0, 0.6), f"floor beside dragon {i + 1}") for i in range(4)]
     backs = [around(i, (-0.35, 0.5, -0.35), (0.35, 1.1, 0.35), "") for i in range(4)]
@@ -57,8 +55,7 @@ def dragons(lab):
     lab.table("dragons.csv", ["dragon", "normal, pixels", "tilted, pixels"], [[i + 1, *pair] for i, pair in enumerate(zip(normal, tilted))])
 
 
-# Relative to the distance from the camera: the grid's part in a blur of 4 pixels is 1/6 pixel, which is 0.2 to 0.5 cm
-# at 60 cm.
+# relative to the distance: the grid's part in a blur of 4 pixels is 1/6 pixel, 0.2 to 0.5 cm at 60 cm
 SHARP_LIMIT = 0.01
 WIDE = 3.0  # pixels
 
@@ -72,15 +69,13 @@ def side_line(count):
 
 
 def sharp_place(lab, sharp, blurred, lens, points, half):
-    """The measured place where the line through some points meets the plane of sharp focus, and the measured
-    diameters. Blur times depth is proportional to the distance from the plane, so a straight line through the
-    measured values is zero there. The points lie on one side of the plane or near it."""
+    """Where points' line meets the plane of sharp focus, and the diameters. Blur times depth is proportional to the distance from the
+    plane: a straight line. The points lie on one side or near it."""
     windows = []
     for point in points:
         x, y = (round(c) for c in lens.pixel(point))
         windows.append([x - half, y - half, 2 * half, 2 * half])
     found = measure(lab, sharp, blurred, windows, 40)
-    # a large blur hardly depends on the pixel grid
     pairs = [(i / (len(points) - 1), d * lens.view.local(p)[2]) for i, (p, d) in enumerate(zip(points, found)) if d > WIDE]
     n, mean_x, mean_y = len(pairs), *(sum(column) / len(pairs) for column in zip(*pairs))
     slope = (sum(x * y for x, y in pairs) - n * mean_x * mean_y) / (sum(x * x for x, _ in pairs) - n * mean_x**2)
@@ -89,13 +84,12 @@ def sharp_place(lab, sharp, blurred, lens, points, half):
 
 
 def box(lab):
-    """Figs. 5 and 6: the sharp places of the three states. No quick form: in a smaller picture the board's squares
-    are too small."""
+    """Figs. 5 and 6. No quick form: smaller squares are too small."""
     view = dataclasses.replace(box_scene.VIEW, width=360, height=240)
     size = (view.width, view.height)
     rows = []
     for letter, line, half in (("a", floor_line(33), 22), ("b", side_line(12), 11), ("c", floor_line(33), 22)):
-        # each state has another film distance, and therefore another pinhole picture
+        # each film distance has its pinhole picture
         shown = pictures(lab, [f"box_{letter}"], size, [("Stop", 1e6), ("Variance", 1e-4)], finer=3)
         lens = box_scene.state(letter, view)
         place, found = sharp_place(lab, shown["pinhole"], shown[f"box_{letter}"], lens, line, half)
@@ -124,7 +118,7 @@ LANDSCAPE = [
 
 
 def landscape(lab):
-    """Fig. 9: the blur in the four landscapes, and twice the blur with twice the aperture."""
+    """Fig. 9; twice the blur with twice the aperture."""
     view = View((-10, 56, -116), (4, 3.4, -4), *((240, 180) if lab.quick else (640, 480)), 0, 0, 1000)
     planes = {
         "a": (8, sub(view.look_at, view.location), GREEN),

@@ -1,11 +1,10 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The double Gauss of experiments/tools/double_gauss.cpp as a file for `prescription`, as it is, and with a first element that moves
-forward to focus."""
+"""double_gauss.cpp's lens for `prescription`, also with a first element that moves to focus."""
 
 import json
 
-# Radius, thickness, index behind and clear diameter; the stop stands within the fifth thickness.
+# radius, thickness, index behind, clear diameter; the stop is in the fifth thickness
 ROWS = (
     (29.475, 3.76, 1.67, 25.2),
     (84.83, 0.12, 1, 25.2),
@@ -31,8 +30,7 @@ def moved_rows(moved):
 
 
 def matrix(rows):
-    """height' = a height + b slope', slope' (times the index) = c height + d slope', from the first surface through
-    the last thickness."""
+    """height' = a height + b slope', slope' (times the index) = c height + d slope', first surface through last thickness."""
     index, a, b, c, d = 1.0, 1.0, 0.0, 0.0, 1.0
     for radius, thickness, behind, _ in rows:
         c, d = c - (behind - index) / radius * a, d - (behind - index) / radius * b
@@ -42,8 +40,7 @@ def matrix(rows):
 
 
 def stop_place(moved=0.0):
-    """Distance behind the fifth surface, mm, of the stop whose image is in the front principal point, as
-    glass_lens.cpp places it."""
+    """Mm behind the fifth surface, image in the front principal point, as in glass_lens.cpp."""
     rows = moved_rows(moved)
     _, _, c, d = matrix(rows)
     principal = (d - 1) / c  # behind the first surface
@@ -68,8 +65,8 @@ def write(folder):
 
 
 def write_moving(folder, moved, film_distance):
-    """Makes moving.json: focal length 50 with the first element moved half-way to its near limit, when the film
-    stands at this distance from the rear principal point. Returns its focal length at infinity."""
+    """moving.json: focal length 50 with the first element half-way to its near limit, the film at this distance from the rear principal
+    point. Returns the focal length at infinity."""
     scale = 50 / focal_length(moved)
     a, _, c, _ = matrix(ROWS)
     at_infinity = -a / c  # the film behind the last surface

@@ -1,10 +1,9 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The box scene through a glass lens, and the reasons of its difference from the thin lens, which gets the properties
-of the glass lens one after the other. Limits are computed: rays displaced by some pixels change a line's brightness by
-at most that number times the picture's steepness.
+"""The box scene through a glass lens. A thin lens gets the properties of the glass one by one; each remainder is at most the rays'
+displacement (pixels) times the picture's steepness.
 
-Also by `tilt_lens` with distortion and field curvature fitted to the glass, and through the glass itself."""
+Also by `tilt_lens` with fitted distortion and field curvature, and through the glass itself."""
 
 import dataclasses
 
@@ -31,8 +30,7 @@ class Tracer:
     lines: list
 
     def picture(self, model, f_stop=F_STOP, measure=False, whole=False):
-        """Renders the surroundings of the lines, or the whole picture; also returns the tracer's figures of its
-        rays."""
+        """Around the lines, or whole; and the tracer's figures."""
         view, kind = self.lens.view, "whole" if whole else "sharp" if f_stop > F_STOP else "lines"
         made = self.lab.work / f"{model}_{self.letter}_{kind}.exr"
         made.parent.mkdir(parents=True, exist_ok=True)
@@ -62,7 +60,7 @@ class Tracer:
 
 
 def real_lenses(lab, letter, size, fitted):
-    """By `tilt_lens`: with the character of the glass, and through the glass."""
+    """By `tilt_lens`: with character, and through glass."""
     k1, k2, near = fitted["distortion"]
     lenses = {
         "character": [("Glass", 0), ("K1", k1), ("K2", k2), ("Near", near), ("Bent", fitted["field_curvature"])],
@@ -82,7 +80,7 @@ def real_lenses(lab, letter, size, fitted):
 
 
 def levels(lab, first, others, line):
-    """Average differences of pictures from the first, along a line."""
+    """From the first picture, along a line."""
     report = lab.json([lab.tool("profile"), "line", first, *others, "--from-to", *line, "--points", 400])
     return [curve["average_difference"] for curve in report["curves"]]
 
@@ -156,7 +154,6 @@ def compare(lab):
 
 
 def claims(text, same, whole, left, rays, steep):
-    """The remainder after each property is within the limit of its rays."""
     yield Claim(f"{text}: the same scene, ideal lens", same, SAME_SCENE, "levels")
     yield Claim(f"{text}: glass against tilt_lens, rays {rays['all']:.2g} pixels aside", whole, SAME_SCENE + steep * rays["all"], "levels")
     aside = sum(rays[step] for step in STEPS[1:])

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Programs, folders, rendering and checked claims of the experiments."""
+"""Programs, folders, rendering and checked claims."""
 
 import csv
 import dataclasses
@@ -20,7 +20,7 @@ OWN_SCENES = ROOT / "experiments" / "scenes"
 
 @dataclasses.dataclass
 class Claim:
-    """A measured number: its absolute value is at most `limit`, or, with `low`, it lies between `low` and `limit`."""
+    """A measured number: absolute value at most `limit`, or between `low` and `limit`."""
 
     text: str
     value: float
@@ -67,7 +67,7 @@ class Laboratory:
         return json.loads(self.run(command, stdin, accept))
 
     def render(self, scene, output, size, declare=(), options=()):
-        """Renders a scene into the work folder; linear OpenEXR unless the name says PNG."""
+        """Linear OpenEXR unless the name says PNG."""
         scene, picture = pathlib.Path(scene), self.work / output
         picture.parent.mkdir(parents=True, exist_ok=True)
         kind = "N" if picture.suffix == ".png" else "E"
@@ -84,14 +84,14 @@ class Laboratory:
             *options,
             library=[scene.parent, SCENES],
         )
-        # A picture of the same program, scene and options is kept, so that an interrupted run continues.
+        # kept, so that an interrupted run continues
         key = self.key(command, povray_run.sources(scene, [SCENES, picture.parent]))
         note = picture.with_name(picture.name + ".key")
         if picture.is_file() and note.is_file() and note.read_text() == key:
             return picture
         for old in (note, picture, picture.with_name(picture.name + ".pov-state")):
             old.unlink(missing_ok=True)
-        # The program reads includes from its current folder, and writes files there.
+        # the program reads and writes in its current folder
         povray_run.run(command, picture.parent, limit=None).succeeded()
         if not picture.is_file():
             raise Failed(f"{scene}: the program ended well but wrote no {picture}")
@@ -99,7 +99,7 @@ class Laboratory:
         return picture
 
     def key(self, command, sources):
-        """A hash of the program, the command, the scene and the files that it includes."""
+        """A hash of program, command, scene and includes."""
         if not self.program:
             self.program = hashlib.sha256(self.povray.read_bytes()).hexdigest()
         found = hashlib.sha256((self.program + json.dumps(command)).encode())
@@ -108,7 +108,7 @@ class Laboratory:
         return found.hexdigest()
 
     def png(self, picture, *drawing):
-        """The same picture among the results: 8-bit sRGB, with a drawing by oiiotool's options."""
+        """8-bit sRGB, with a drawing by oiiotool."""
         made = self.results / picture.with_suffix(".png").name
         made.parent.mkdir(parents=True, exist_ok=True)
         self.run(
@@ -134,7 +134,7 @@ class Laboratory:
         return self.json([self.tool("profile"), "moments", picture], stdin=json.dumps(windows))
 
     def oracle(self, name, case, scene, batches, samples):
-        """The unpatched program's accumulation buffer of a case, made once for the same input."""
+        """Made once for the same input."""
         key = hashlib.sha256(json.dumps([case, batches, samples]).encode() + scene.read_bytes())
         folder = self.work / "oracle" / f"{name}-{key.hexdigest()[:16]}"
         picture = folder / "mean.exr"

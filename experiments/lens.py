@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """A tilted thin lens in closed form.
 
-Camera frame: lens centre at the origin, x right, y up, z into the scene, film at -s. With t the unit lens normal
-and f the focal length, the plane of sharp focus is k.X = 1, k = t/f - z/s (Scheimpflug's rule and the thin lens
+Camera frame: lens centre at the origin, x right, y up, z into the scene, film at -s. The unit lens normal is t,
+the focal length f. The plane of sharp focus is k.X = 1, k = t/f - z/s (Scheimpflug's rule and the thin lens
 equation). Lengths in scene units, angles in degrees, image in pixels from the upper left corner."""
 
 import dataclasses
@@ -40,7 +40,7 @@ def unit(a):
 
 @dataclasses.dataclass
 class View:
-    """Place of the camera, size of the picture, and lens, in the units of the language."""
+    """In the units of the language."""
 
     location: tuple
     look_at: tuple
@@ -58,12 +58,10 @@ class View:
         return right, cross(axis, right), axis
 
     def local(self, point):
-        """World point to camera frame."""
         offset = sub(point, self.location)
         return tuple(dot(offset, axis) for axis in self.axes())
 
     def turned(self, vector):
-        """World direction to camera frame."""
         return tuple(dot(vector, axis) for axis in self.axes())
 
 
@@ -76,14 +74,14 @@ class Lens:
 
     @classmethod
     def tilted(cls, view, tilt, through):
-        """The lens leant forward by `tilt`, focused on a world point."""
+        """Leant forward, focused on a world point."""
         f, p = view.focal_length / view.scene_unit, view.local(through)
         normal = (0.0, -math.sin(math.radians(tilt)), math.cos(math.radians(tilt)))
         return cls(view, normal, f * p[2] / (dot(p, normal) - f))
 
     @classmethod
     def on_plane(cls, view, normal, point):
-        """The lens whose plane of sharp focus has this normal and holds this point (world)."""
+        """Normal and point of the plane of sharp focus (world)."""
         f, n = view.focal_length / view.scene_unit, view.turned(unit(normal))
         k = times(1 / dot(n, view.local(point)), n)
         across = (f * k[0], f * k[1])
@@ -108,47 +106,45 @@ class Lens:
         return self.focal_length / math.hypot(self.normal[0], self.normal[1])
 
     def pixels_per_slope(self):
-        """Pixels on the film for one unit of x/z."""
+        """On the film, for x/z."""
         return self.film_distance * self.view.scene_unit / self.view.film_width * self.view.width
 
     def pixel(self, point):
-        """Pixel of the chief ray of a world point."""
+        """By the chief ray."""
         v, p, scale = self.view, self.view.local(point), self.pixels_per_slope()
         millimetre = v.width / v.film_width
         return (v.width / 2 + scale * p[0] / p[2] - v.shift[0] * millimetre, v.height / 2 - scale * p[1] / p[2] + v.shift[1] * millimetre)
 
     def lens_axes(self):
-        """Two unit directions of the lens plane, camera frame; right and up without swing."""
+        """Camera frame; right and up without swing."""
         right = unit(cross((0, 1, 0), self.normal))
         return right, cross(self.normal, right)
 
     def vergence(self, point):
-        """Defocus of a world point: w(D) - 1/T for its chief ray X = T D, D.z = 1."""
+        """w(D) - 1/T for the chief ray X = T D, D.z = 1."""
         p = self.view.local(point)
         return (dot(self.focus, p) - 1) / p[2]
 
     def blur_axes(self, point):
-        """The blur ellipse of a film point, in pixels (x right, y down): images of the lens's right and upper rim.
-        To first order a lens point l moves it by (w - 1/T) (l - D l.z)."""
+        """Pixels (x right, y down): images of the lens's right and upper rim. To first order a lens point l moves it by (w - 1/T) (l - D
+        l.z)."""
         p = self.view.local(point)
         direction = times(1 / p[2], p)
         scale = self.vergence(point) * self.radius * self.pixels_per_slope()
         return [(scale * (e[0] - direction[0] * e[2]), -scale * (e[1] - direction[1] * e[2])) for e in self.lens_axes()]
 
     def blur_moments(self, point):
-        """Second moments (xx, xy, yy) of the blur ellipse, evenly filled: squared axes by four."""
+        """(xx, xy, yy), evenly filled: squared axes by four."""
         axes = self.blur_axes(point)
         return tuple(sum(a[i] * a[j] for a in axes) / 4 for i, j in ((0, 0), (0, 1), (1, 1)))
 
     def blur_diameter(self, point):
-        """Diameter of the disc with the mean of the ellipse's moments, pixels."""
+        """The mean of the moments, pixels."""
         xx, _, yy = self.blur_moments(point)
         return 4 * math.sqrt((xx + yy) / 2)
 
     def blur_centre(self, point):
-        """Centroid, in pixels, of the blur of a small disc parallel to the film. Through a lens point the disc is
-        seen displaced to that ray's point on the plane of sharp focus, and as large as from there: one rim of a
-        tilted lens is nearer to the disc and has more weight."""
+        """Centroid, pixels, for a small disc parallel to the film: a nearer rim of a tilted lens sees it larger."""
         p, (right, up) = self.view.local(point), self.lens_axes()
         sums, rings, spokes = [0.0, 0.0, 0.0], 8, 16
         for i in range(rings):
@@ -164,7 +160,7 @@ class Lens:
         return (x + scale * (sums[1] / sums[0] - p[0] / p[2]), y - scale * (sums[2] / sums[0] - p[1] / p[2]))
 
     def seen_from(self, rim, p):
-        """Film point, as slopes, that sees a point (camera frame) through a lens point."""
+        """As slopes, of a camera-frame point through a lens point."""
         k_rim, k_p = dot(self.focus, rim), dot(self.focus, p)
         met = add(times(k_p - k_rim, rim), times(1 - k_rim, sub(p, rim)))
         return met[0] / met[2], met[1] / met[2]
@@ -177,6 +173,6 @@ class Lens:
         return abs((bx - ax) * (dy - cy) - (by - ay) * (dx - cx))
 
     def disc_moments(self, point, radius):
-        """Moments of a disc about the point, parallel to the film, as a pinhole sees it."""
+        """Parallel to the film, by a pinhole."""
         half = radius * self.pixels_per_slope() / self.view.local(point)[2]
         return (half * half / 4, 0.0, half * half / 4)

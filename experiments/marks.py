@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Pictures of small bright discs, and the second moments of their images."""
+"""Small bright discs, and second moments of their images."""
 
 import math
 
@@ -15,7 +15,6 @@ def vector(v):
 
 
 def world(view, point):
-    """Camera frame to world."""
     moved = view.location
     for amount, axis in zip(point, view.axes()):
         moved = add(moved, times(amount, axis))
@@ -23,7 +22,7 @@ def world(view, point):
 
 
 def at_pixel(lens, x, y, depth):
-    """World point at an axial depth that a pinhole in the lens centre shows at a pixel."""
+    """At an axial depth, by a pinhole in the lens centre."""
     view, scale = lens.view, lens.pixels_per_slope()
     millimetre = view.width / view.film_width
     slope_x = (x - view.width / 2 + view.shift[0] * millimetre) / scale
@@ -32,7 +31,7 @@ def at_pixel(lens, x, y, depth):
 
 
 def radius_of(lens, point):
-    """Radius of a disc about a point that a pinhole shows SIZE pixels wide from its middle."""
+    """SIZE pixels by a pinhole."""
     return SIZE * lens.view.local(point)[2] / lens.pixels_per_slope()
 
 
@@ -62,7 +61,7 @@ def render(lab, name, lens, through, points, samples=1024):
 
 
 def window(lens, point, reach):
-    """Pixels about a mark: left, top, width, height."""
+    """Left, top, width, height."""
     x, y = lens.pixel(point)
     left, top = math.floor(x - reach), math.floor(y - reach)
     return [left, top, math.ceil(x + reach) - left, math.ceil(y + reach) - top]
@@ -74,8 +73,7 @@ def measure(lab, picture, lens, points, reaches):
 
 
 def sharp_moments(x, y):
-    """Second moments of a sharp disc of radius SIZE on the grid. Its hard edge falls on the grid by chance: the sum
-    of the disc's and a pixel's own moments would be off by some per cent."""
+    """On the grid: a hard edge falls there by chance, by some per cent of the moments."""
     fine, reach = 32, math.ceil(SIZE) + 1
     sums = [0] * 6
     for row in range(math.floor(y) - reach, math.floor(y) + reach + 1):
@@ -93,7 +91,7 @@ def sharp_moments(x, y):
 
 
 def expected(lens, point):
-    """In closed form: the sum of the moments of the lens's ellipse, of the disc, and of the pixel's square."""
+    """Moments of lens ellipse, disc and pixel."""
     blur = lens.blur_moments(point)
     if blur[0] + blur[2] < 0.1:
         return sharp_moments(*lens.pixel(point))

@@ -11,7 +11,7 @@ from experiments import blur, box, document, equation, figures, glass, real_lens
 from experiments.laboratory import Laboratory
 from tools.repository import BUILD
 
-# In the order of docs/paper.md.
+# in the order of docs/paper.md
 EXPERIMENTS = [
     ("equation", equation.table),
     ("dragons", figures.dragons),
@@ -29,7 +29,6 @@ EXPERIMENTS = [
 
 
 def run(lab, name, function):
-    """Failures of an experiment, in words."""
     started, failures, claims = time.monotonic(), [], []
     print(f"== {name}", flush=True)
     try:

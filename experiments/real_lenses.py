@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The amount of blur of a real lens: blur diameters in millimetres on the film against
+"""Blur diameters in millimetres on the film against
 
     c = f^2 / N * |1/u - 1/u0| / (1 - f/u0)
 
@@ -13,7 +13,7 @@ from experiments.laboratory import Claim
 from experiments.lens import Lens, View
 
 LIMIT = 0.01
-# Focal length mm, f-number, focus and subjects in metres.
+# focal length mm, f-number, focus and subjects in metres
 LENSES = [
     (17, 4.0, 0.5, (0.25, 1.0, 10.0)),
     (24, 3.5, 1.0, (0.4, 2.0, 10.0)),
@@ -44,7 +44,7 @@ def table(lab):
         worst = 0.0
         for u, c, point, (xx, _, yy) in zip(subjects, wanted, points, moments):
             own = lens.disc_moments(point, marks.radius_of(lens, point))[0] + 1 / 12
-            # a disc's diameter is four times the standard deviation along any line
+            # diameter: four times the standard deviation
             found = 4 * math.sqrt((xx + yy) / 2 - own) * pitch
             rows.append([f, n, focus, u, c, found, found / c - 1])
             worst = max(worst, abs(found / c - 1))

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The blur of regions of a picture, against a pinhole picture of the same scene and the closed form."""
+"""Blur of regions against a pinhole picture and the closed form."""
 
 import dataclasses
 import itertools
@@ -9,19 +9,18 @@ import math
 
 from experiments.laboratory import Claim
 
-# By chance of an edge's place on the grid, the pixel's own variance, 1/12, is included or not. A disc's variance is
-# d^2/16, so a measured d^2 is uncertain by 16/12 square pixels.
+# by chance, the pixel's own variance, 1/12, is included: against d^2/16, d^2 is uncertain by 16/12 square pixels
 GRID = 16 / 12
 
 
 def beyond_grid(diameter):
-    """A measured diameter without the pixel grid's part; 0 for a sharp place."""
+    """Without the pixel grid's part; 0 for a sharp place."""
     return math.sqrt(max(0.0, diameter * diameter - GRID))
 
 
 @dataclasses.dataclass
 class Region:
-    """A box of the scene with edges along the world's axes."""
+    """Edges along the world's axes."""
 
     name: str
     low: tuple
@@ -31,7 +30,6 @@ class Region:
         return list(itertools.product(*zip(self.low, self.high)))
 
     def window(self, lens):
-        """Left, top, width, height in the picture."""
         pixels = [lens.pixel(p) for p in self.corners()]
         left, right = (f(p[0] for p in pixels) for f in (min, max))
         top, bottom = (f(p[1] for p in pixels) for f in (min, max))
@@ -39,7 +37,7 @@ class Region:
         return [left, top, min(lens.view.width, math.ceil(right)) - left, min(lens.view.height, math.ceil(bottom)) - top]
 
     def diameters(self, lens):
-        """Least and greatest blur of its points, pixels."""
+        """Least and greatest, pixels."""
         found = [(lens.blur_diameter(p), lens.vergence(p)) for p in self.corners()]
         sizes = [size for size, _ in found]
         crosses = min(v for _, v in found) <= 0 <= max(v for _, v in found)
@@ -47,7 +45,7 @@ class Region:
 
 
 def measure(lab, sharp, blurred, windows, widest):
-    """Diameters that turn the sharp picture into the blurred one, by window."""
+    """From sharp to blurred, by window."""
     found = lab.json([lab.tool("profile"), "blur", sharp, blurred, "--widest", widest], stdin=json.dumps(windows))
     return [entry["diameter"] for entry in found]
 

@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The paper's future work: shift alone keeps the verticals of a tower parallel; shift with tilt shows the right
-part of the same picture."""
+"""Shift alone keeps a tower's verticals parallel; shift with tilt shows the right part of the same picture."""
 
 import dataclasses
 
@@ -23,7 +22,7 @@ def slope(pairs):
 
 
 def convergence(lab, name, declare, rows=(FIRST, LAST)):
-    """Difference of the distance of the tower's verticals between top and bottom of the picture, pixels."""
+    """Change of the verticals' distance, top to bottom, pixels."""
     options = () if any(key == "F_Stop" for key, _ in declare) else ("+A0.0", "+AM1", "+R9", "-J")
     picture = lab.render(OWN_SCENES / "tower.pov", name, SIZE, declare, options)
     found = lab.json([lab.tool("profile"), "edges", picture, "--inside", INSIDE, "--first", rows[0], "--last", rows[1]])
@@ -31,7 +30,7 @@ def convergence(lab, name, declare, rows=(FIRST, LAST)):
 
 
 def tower(lab):
-    """Vertical edges of a tower: with a shift, with a shift and a tilt, and with a camera turned up."""
+    """Shifted; shifted and tilted; turned up."""
     rows = []
     for text, declare in (("shift 10 mm", [("Rise", 10)]), ("shift 10 mm, tilt 4, f/4", [("Rise", 10), ("Tilt", 4), ("F_Stop", 4)])):
         found = convergence(lab, f"tower_{len(rows)}.exr", declare)
@@ -39,13 +38,13 @@ def tower(lab):
         yield Claim(f"verticals, {text}: convergence over the picture", found, PARALLEL_LIMIT, "pixels")
     found = convergence(lab, "tower_up.exr", [("Pitch", 1)])
     rows.append(["looking up instead", found])
-    # counter-test: with a camera turned up by 17 degrees, lines converge by several pixels
+    # counter-test: turned up by 17 degrees, lines converge by pixels
     yield Claim("looking up instead: pixels of convergence, as 1/x", 1 / abs(found), 0.2)
     lab.table("verticals.csv", ["camera", "convergence in pixels"], rows)
 
 
 def tilt_with_shift(lab):
-    """Images of discs through a lens that is tilted and shifted: their places, and their blur."""
+    """Discs: places and blur."""
     view = dataclasses.replace(cropped(PLAIN, 180, 120) if lab.quick else PLAIN, shift=(3.0, 8.0))
     lens = Lens.tilted(view, 10.5, THROUGH)
     grid = spot_grid(lens)

@@ -1,9 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Runs tests one after the other and prints the processor time of each: python3 -m tests.processor_times [OPTION OF CTEST...].
+"""Prints the processor time of each test: python3 -m tests.processor_times [OPTION OF CTEST...].
 
-Tests of more than 15 s belong to the slow ones (slow_tests() in tests/CMakeLists.txt). Never fails, because processor time depends on the
-machine and on its load.
+Tests of more than 15 s belong to slow_tests() in tests/CMakeLists.txt. Never fails: processor time depends on machine and load.
 """
 
 import json
@@ -18,7 +17,6 @@ LIMIT = 15  # seconds
 
 
 def tests(options):
-    """Name, command, environment, folder and labels of each test that CTest chooses."""
     told = subprocess.run(["ctest", "--show-only=json-v1", *options], cwd=BUILD, capture_output=True, check=True).stdout
     for test in json.loads(told)["tests"]:
         properties = {entry["name"]: entry["value"] for entry in test.get("properties", ())}

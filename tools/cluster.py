@@ -1,10 +1,9 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A private Slurm cluster on loopback: munge, one controller and some nodes, in one folder and owned by this user.
+"""A private Slurm cluster on loopback, owned by this user, in one folder.
 
-The cluster does not depend on the machine's configuration. The daemons listen on the address of their host's name; they see a name of their
-own with the loopback address (libnss-wrapper), independent of /etc/hosts. Control groups, which a container may lack, are not used. The
-cluster ends only processes that it started: by their number, and only while the number still belongs to them.
+It ignores the machine's configuration: daemons see a host name of their own (libnss-wrapper), and use no control groups, which a
+container may lack. It ends only its own processes, while their numbers belong to them.
 """
 
 import contextlib
@@ -53,12 +52,12 @@ SelectTypeParameters=CR_CPU
 SlurmdParameters=config_overrides
 PartitionName=main Nodes=ALL Default=YES MaxTime=INFINITE State=UP
 """
-# The plugin of version 1 uses no control group by default; Slurm's own choice does at its start.
+# By default, version 1 uses no control group; Slurm's choice does.
 NO_CONTROL_GROUPS = "CgroupPlugin=cgroup/v1\nCgroupMountpoint={folder}/cgroup\n"
 
 
 def started_at(pid):
-    """When a process began, in ticks since the machine's start; None where it has ended."""
+    """In ticks since the machine's start; None if ended."""
     try:
         fields = pathlib.Path(f"/proc/{pid}/stat").read_text(encoding="ascii", errors="replace").rpartition(")")[2].split()
     except OSError:
@@ -81,7 +80,7 @@ def parent_of(pid):
 
 
 def free_ports(count):
-    """The first of `count` consecutive free ports, below those that the system assigns itself."""
+    """Below those that the system assigns itself."""
     for first in range(10000 + os.getpid() % 20000, 32768, count):
         with contextlib.ExitStack() as stack:
             try:
@@ -112,7 +111,6 @@ class Cluster:
         self.stop()
 
     def configure(self):
-        """Writes slurm.conf and munge's key."""
         for name in ("state", "spool", "log", "munge"):
             (self.folder / name).mkdir(parents=True, exist_ok=True)
             (self.folder / name).chmod(0o755)
@@ -147,7 +145,7 @@ class Cluster:
         self.processes[name] = (process, started_at(process.pid))
 
     def start(self):
-        """Brings the cluster up; returns when every node is idle."""
+        """Returns when every node is idle."""
         self.configure()
         munge = self.folder / "munge"
         self.daemon(
@@ -185,7 +183,7 @@ class Cluster:
             time.sleep(0.1)
 
     def job_processes(self, node, daemon):
-        """Numbers of the processes of jobs on a node, and of the step daemons that started them; `daemon` is the number of the node's own."""
+        """Without the node's own, `daemon`."""
         mine = {f"SLURMD_NODENAME={node}".encode(), f"SLURM_CONF={self.folder}/slurm.conf".encode()}
         jobs = [int(name) for name in os.listdir("/proc") if name.isdigit() and mine <= set(environment_of(name))]
         parents = {parent_of(pid) for pid in jobs} - set(jobs) - {0, 1, os.getpid()}
@@ -193,7 +191,7 @@ class Cluster:
         return steps + jobs
 
     def kill_node(self, node):
-        """Kills all processes of a node at once, as a power failure does. Returns the numbers of the jobs' processes."""
+        """As a power failure does. Returns the jobs' processes."""
         process, _ = self.processes.pop(node)
         found = self.job_processes(node, process.pid)
         for pid in [process.pid, *found]:
@@ -203,7 +201,7 @@ class Cluster:
         return found
 
     def stop(self):
-        """Ends the jobs first, so that none is left; then nodes, controller, munge."""
+        """Jobs first, so that none is left."""
         if "slurmctld" in self.processes:
             self.run("scancel", "--me")
             with contextlib.suppress(AssertionError):

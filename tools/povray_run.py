@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Running POV-Ray: its command line, its environment, a run with limits, and the files it reads and writes."""
+"""Running POV-Ray: command line, environment, limits, files."""
 
 import atexit
 import dataclasses
@@ -19,9 +19,9 @@ INCLUDE = ROOT / "scenes" / "include"
 NO_SETTINGS = ROOT / "tools" / "no_settings.ini"
 DISPLAYS = ("DISPLAY", "WAYLAND_DISPLAY")
 USER_SETTINGS = ("POVINI", "POVINC", *DISPLAYS)
-# Seconds until a run counts as hanging: far more than any test takes, because the time depends on the machine's load.
+# Seconds until a run counts as hanging; far more than any test takes, because the machine may be busy.
 PATIENCE = 600
-# The sanitizers' settings: upstream keeps parsed objects until the end.
+# upstream keeps parsed objects until the end
 WITHOUT_LEAKS = {"ASAN_OPTIONS": "detect_leaks=0"}
 STATE_HEADER = 512  # bytes of a state file before its first message
 
@@ -35,7 +35,7 @@ class UnreadablePicture(Exception):
 
 
 def quoted(name):
-    """A file name as POV-Ray takes it in an option: in quotation marks if it holds a character that would end it."""
+    """In quotation marks where a character would end it."""
     name = str(name)
     if not re.search(r"[\s;#\"']", name):
         return name
@@ -43,10 +43,8 @@ def quoted(name):
 
 
 def command(program, scene, picture, size, *options, library=(), before=()):
-    """The command line that renders a scene, without window or pause; of conflicting options, the last one counts.
-    @param picture  None: no picture is written; "": POV-Ray names it after the scene
-    @param library  further folders of include files
-    @param before   options of the user, which may antialias but change neither scene, picture nor size"""
+    """Without window or pause; later options override. @param picture None: none is written; "": named after the scene @param library
+    further include folders @param before user's options; they may antialias, not change scene, picture or size"""
     output = ["-F"] if picture is None else [f"+O{quoted(picture)}"] if picture else []
     folders = [f"+L{quoted(folder)}" for folder in library]
     return [
@@ -65,7 +63,7 @@ def command(program, scene, picture, size, *options, library=(), before=()):
 
 
 def user_environment(without=USER_SETTINGS, **variables):
-    """The environment of a user without settings and display, or without other variables, with these variables."""
+    """Without settings, display or other variables."""
     return {**{name: value for name, value in os.environ.items() if name not in without}, **variables}
 
 
@@ -75,16 +73,13 @@ def environment(**variables):
 
 
 def held_to_permissions():
-    """Words before a command that subject even root to the permissions of files and folders. Root keeps its name, because another user
-    might not be able to read the program."""
+    """They subject even root to file permissions. Root keeps its name: another user might be unable to read the program."""
     powers = "-dac_override,-dac_read_search"
     return ["setpriv", f"--bounding-set={powers}", f"--inh-caps={powers}"] if os.getuid() == 0 else []
 
 
 @dataclasses.dataclass
 class Done:
-    """A finished run."""
-
     command: list
     code: int | None  # exit code, or minus the signal; None: ended because of the time limit
     said: str  # standard output and standard error
@@ -93,7 +88,6 @@ class Done:
     memory: int  # peak of resident memory, bytes
 
     def told(self):
-        """Command line, exit code and the end of the messages."""
         ended = (
             f"no end after {self.seconds:.0f} s"
             if self.code is None
@@ -111,13 +105,13 @@ class Done:
 
 
 def start(words, folder=None, env=None, **how):
-    """Starts a program in a folder, by default in environment(); its messages are in the process's `stdout`."""
+    """By default in environment(); messages are in `stdout`."""
     how = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, **how}
     return subprocess.Popen([str(word) for word in words], cwd=folder, env=environment() if env is None else env, **how)
 
 
 def run(words, folder=None, env=None, limit=PATIENCE, **how):
-    """Runs a program to its end, or kills it after `limit` seconds (None: never)."""
+    """Kills it after `limit` seconds (None: never)."""
     begun = time.monotonic()
     process = start(words, folder, env, **how)
     late = threading.Event()
@@ -140,7 +134,7 @@ def run(words, folder=None, env=None, limit=PATIENCE, **how):
 
 
 def sources(scene, folders=()):
-    """The scene and the files that it includes from its own folder or from the first of `folders` that has them, in order of appearance."""
+    """From its own folder or the first of `folders` that has them, in order."""
     found = [pathlib.Path(scene)]
     for path in found:
         for name in re.findall(r'#include\s+"([^"]+)"', path.read_text()):
@@ -151,7 +145,7 @@ def sources(scene, folders=()):
 
 
 def whole_messages(data, end=None):
-    """Where the messages of a state file begin, and where the last complete one ends; empty if it is no state file."""
+    """Start of messages and end of the last complete one; empty if it is no state file."""
     end = len(data) if end is None else end
     if end < STATE_HEADER or not data.startswith(b"POV-Ray Render State File"):
         return []
@@ -165,8 +159,7 @@ def whole_messages(data, end=None):
 
 
 class Reader:
-    """A process of the comparison tool that reads many pictures, because its start takes longer than many a picture. A lock keeps each
-    thread's question and answer together."""
+    """Reads many pictures in one process, which starts slowly. A lock keeps question and answer together."""
 
     def __init__(self, compare):
         self.compare = compare
@@ -174,8 +167,7 @@ class Reader:
         self.process = None
 
     def ask(self, path):
-        """A picture as `compare pixels` writes it: a line with width, height, number, type and names of the channels, and the values.
-        Raises UnreadablePicture."""
+        """A line with width, height, number, type and names of the channels, and the values. Raises UnreadablePicture."""
         with self.lock:
             if self.process is None or self.process.poll() is not None:
                 self.process = subprocess.Popen([self.compare, "pixels"], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
@@ -192,5 +184,5 @@ READERS = {}
 
 
 def pixels(compare, path):
-    """The decoded picture as `compare pixels` writes it, by one process for all pictures. Raises UnreadablePicture."""
+    """As `compare pixels` writes it. Raises UnreadablePicture."""
     return READERS.setdefault(str(compare), Reader(str(compare))).ask(path)

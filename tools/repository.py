@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The place of this repository, and command lines that start its Python programs from any folder."""
+"""The repository's place, and command lines of its Python programs."""
 
 import pathlib
 import sys

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file inner_loops.cpp
-/// Cost of camera and sampler for each ray: nanoseconds a call.
+/// Camera and sampler: nanoseconds a call.
 
 #include <cmath>
 #include <cstdint>
@@ -20,7 +20,7 @@ namespace
 
 using namespace tilt_lens;
 
-/// A lens tilted by some degrees; any numbers do.
+/// Tilted by some degrees.
 Lens SomeLens()
 {
     Lens lens;
@@ -33,7 +33,7 @@ Lens SomeLens()
     return lens;
 }
 
-/// Film and lens points that no compiler can foresee.
+/// Unforeseeable by compilers.
 struct Places
 {
     std::uint32_t state = 1;
@@ -44,7 +44,7 @@ struct Places
     }
 };
 
-/// The cost of Places itself, to be taken off.
+/// Subtracted.
 void Empty(benchmark::State& state)
 {
     Places places;
@@ -98,7 +98,7 @@ BENCHMARK_CAPTURE(Map, disc, Aperture::Disc());
 BENCHMARK_CAPTURE(Map, polygon, Aperture::Polygon(7, 0.2));
 BENCHMARK_CAPTURE(Map, picture, Aperture::Picture([](double u, double v) { return u + v * v; }));
 
-/// Bookkeeping and decisions of a tile with pixels of plain noise, per sample.
+/// Per sample; plain noise.
 void TilePerSample(benchmark::State& state)
 {
     SamplingLimits limits;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file lamp_light.h
-/// The share of the light of a scene's lamps that a picture keeps.
+/// Share of lamps' light that a picture keeps.
 
 #ifndef LAMP_LIGHT_H
 #define LAMP_LIGHT_H
@@ -15,14 +15,14 @@
 
 #include "picture.h"
 
-/// References of the scene with lamps and without. Lights are sums of the three channels.
+/// With lamps and without; sums of the channels.
 class LampLight
 {
   public:
     struct Kept
     {
         double share;       ///< of all lamps' light
-        double dark;        ///< of the pixels of discs: they have less than 70 % of their light
+        double dark;        ///< of disc pixels: less than 70 % of their light
         int discPixels;
     };
 
@@ -50,7 +50,7 @@ class LampLight
     }
 
   private:
-    /// `leastLight` is several times the error of the default settings.
+    /// `leastLight`: several times the default settings' error.
     static constexpr double leastLight = 0.06, leastShare = 0.7;
     static constexpr int reach = 8;
 
@@ -71,7 +71,7 @@ class LampLight
         return light;
     }
 
-    /// The greatest light at most `reach` rows and columns away.
+    /// Within `reach` rows and columns.
     static std::vector<double> Brightest(const std::vector<double>& light, int width, int height)
     {
         std::vector<double> across(light), around;

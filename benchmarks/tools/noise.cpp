@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file noise.cpp
-/// How far pictures are from their reference, in linear light between 0 and 1.
+/// Pictures against their reference, in linear light.
 ///
 ///     noise reference OUT.exr PICTURE...    mean of independent pictures and its standard error
 ///     noise errors REFERENCE PICTURE...     each picture against it
@@ -15,10 +15,8 @@
 ///                                                 with --unclipped, and so is that of the scene without lamps
 ///     noise groups REFERENCE PICTURE... --side N  each picture's squared error in groups of N by N pixels
 ///
-/// A reference made of several pictures knows its own mean square error, which is independent of the
-/// picture's and is taken off; a result below zero is given as zero. Pictures that are larger than the
-/// reference by a border of the same width on all sides are cut to size; with --at LEFT,TOP, the part that
-/// begins there is taken. One JSON object a line.
+/// A reference of several pictures knows its own mean square error, which is taken off; results are at least zero. Larger pictures are cut
+/// to the reference's size; --at LEFT,TOP takes a part. One JSON object a line.
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +39,7 @@ using nlohmann::json;
 using witness::Picture;
 using witness::Reference;
 
-/// To [0, 1], as a 16-bit PNG does with every competitor's.
+/// As in every competitor's 16-bit PNG.
 Picture Clipped(Picture picture)
 {
     for (double& value : picture.values)
@@ -53,7 +51,7 @@ Picture Clipped(Picture picture)
     return picture;
 }
 
-/// A reference averaged without clipping: values above white are known to be white.
+/// Without clipping above white.
 Reference Clipped(Reference reference)
 {
     for (std::size_t i = 0; i < reference.mean.Size(); ++i)
@@ -62,7 +60,7 @@ Reference Clipped(Reference reference)
     return reference;
 }
 
-/// The part of a picture that begins at `at` (left, top); without it, the part within a border.
+/// From `at` (left, top); without it, within a border.
 Picture Inner(const Picture& picture, int width, int height, const std::vector<int>& at = {})
 {
     const int border = (picture.width - width) / 2;
@@ -103,7 +101,7 @@ json Errors(const Picture& picture, const Reference& reference)
     return {{"mse", std::max(0.0, squares / picture.Size() - own)}, {"mean", sum / picture.Size()}, {"reference_mse", own}};
 }
 
-/// Reported and true errors of pictures of one scene.
+/// All of one scene.
 class Claims
 {
   public:
@@ -150,15 +148,14 @@ class Claims
     }
 
   private:
-    /// Errors above white are clipped, and the standard error there is relative to the brightness.
+    /// Clipped above white, where the standard error is relative.
     bool IsBelowWhite(std::size_t pixel) const
     {
         const auto first = m_reference.mean.values.begin() + std::ptrdiff_t(pixel);
         return *std::max_element(first, first + 3) < 0.9;
     }
 
-    /// The standard error is that of a pixel's worst channel, chosen by the other half of the pictures: the worst of
-    /// three measured errors would be more than the error of the worst channel.
+    /// For the channel that the other half of the pictures chooses: the worst of three measured errors is biased.
     double TrueSquares() const
     {
         double sum = 0.0;
@@ -245,7 +242,7 @@ void PrintLamps(const Arguments& arguments)
     }
 }
 
-/// From the upper left corner, row by row; those at the right and lower edge may be smaller.
+/// Row by row; smaller at the right and lower edge.
 void PrintGroups(const Arguments& arguments)
 {
     const Reference reference = Clipped(witness::ReadReference(arguments.reference));

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file post_blur.cpp
-/// Blurs a pinhole picture by its depth, after the fact: every pixel is spread evenly over its circle of confusion,
-/// and the sum at a pixel is divided by its weights.
+/// Blurs a pinhole picture by its depth: pixels are spread over their circles of confusion, sums divided by weights.
 ///
-/// M. Potmesil and I. Chakravarty, "A Lens and Aperture Camera Model for Synthetic Image Generation", SIGGRAPH 1981;
-/// here for a tilted plane of focus. Surfaces hidden from the pinhole stay unknown.
+/// M. Potmesil and I. Chakravarty, "A Lens and Aperture Camera Model for Synthetic Image Generation", SIGGRAPH 1981; for a tilted plane of
+/// focus.
 ///
-/// Depth comes from two pictures in fog, white and black: their difference is 1 - exp(-distance/fog).
+/// White minus black fog: 1 - exp(-distance/fog).
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +25,7 @@ namespace
 
 using witness::Picture;
 
-/// Lengths in units of the picture's height on the film.
+/// Unit: the picture's height on the film.
 struct Camera
 {
     double width = 0.0, distance = 0.0;       ///< film
@@ -35,7 +34,7 @@ struct Camera
     double fog = 0.0;                         ///< scene units
 };
 
-/// Radius of the circle of confusion of a pixel, in pixels.
+/// In pixels.
 double Radius(const Camera& camera, const Picture& picture, int column, int row, double fogged)
 {
     const double x = ((column + 0.5) / picture.width - 0.5) * camera.width;
@@ -51,7 +50,7 @@ struct Gathered
     std::vector<double> light, weight;
 };
 
-/// Adds a pixel's light to all that its circle covers; a pixel at the rim gets its share.
+/// A pixel at the rim gets its share.
 void Spread(const Picture& picture, int column, int row, double radius, Gathered& gathered)
 {
     const int reach = static_cast<int>(std::ceil(radius));

@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file record_samples.cpp
-/// POV-Ray with one change: pictures with `tilt_lens` are not made. The first samples of every pixel, as the sampler would
-/// ask for them, are written into a file instead, for replay_samples.
+/// POV-Ray that writes `tilt_lens` pictures' first samples into a file for replay_samples.
 ///
 ///     TILT_LENS_RECORD=FILE TILT_LENS_RECORD_SAMPLES=N TILT_LENS_SETTINGS=NAME=VALUE,... record_samples +Iscene.pov ...
 ///
-/// A sample depends on its pixel and its number alone, so that a sampler with other rules gets the same ones from the file.
-/// Only the settings of the emitter sampling change samples.
+/// A sample depends on pixel and number alone; only settings of the emitter sampling change it.
 
 #include <cstdio>
 #include <cstdlib>
@@ -54,7 +52,7 @@ struct Recorder
 
 } // namespace
 
-// The linker's option --wrap leads calls of TileSampler::Run here.
+// --wrap leads TileSampler::Run here.
 #define RUN _ZN9tilt_lens11TileSampler3RunERKNS_4AreaERKNS_6TracerE
 #define JOIN(a, b) a##b
 #define NAMED(prefix, name) JOIN(prefix, name)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file recorded_sample.h
-/// A sample in the file that record_samples writes and replay_samples reads.
+/// From record_samples, for replay_samples.
 
 #ifndef TILT_LENS_RECORDED_SAMPLE_H
 #define TILT_LENS_RECORDED_SAMPLE_H
@@ -33,7 +33,7 @@ struct RecordedSample
         std::copy(result.radiance.begin(), result.radiance.end(), radiance);
     }
 
-    /// @param lens  with a round opening, whatever the true one is
+    /// @param lens with a round opening
     SampleResult Result(const LensFootprint& lens) const
     {
         SampleResult result;

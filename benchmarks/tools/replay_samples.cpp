@@ -2,17 +2,16 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file replay_samples.cpp
-/// Samples pictures from recorded samples (record_samples), with any settings of the sampler:
+/// Samples pictures from record_samples, with any settings:
 ///
 ///     replay_samples FILE WIDTH HEIGHT SAMPLES --variances V,V --denoise 0,1 [--least N] [--most N] [--picture PREFIX]
 ///         < lines of settings
 ///
-/// The recording may be of a part of a picture, which is then a picture of its own. --least and --most are `blur_samples`. With
-/// --picture, pictures are written as PREFIX0.pfm, PREFIX1.pfm, ..., one for each object, and PREFIXtrue.pfm.
+/// A part of a picture is a picture of its own. --least and --most are `blur_samples`. --picture writes PREFIX0.pfm, ..., one for each
+/// object, and PREFIXtrue.pfm.
 ///
-/// Each line is a list NAME=VALUE,... of settings, and may be empty. For each line, variance and denoise one JSON object: the
-/// mean square error against the mean of all recorded samples (red, green and blue, linear, clipped to 0 to 1), the share of
-/// pixels that are off by more than 2 sqrt(V), and samples per pixel. A pixel takes at most a quarter of the recorded samples
+/// Each line: NAME=VALUE,... or empty. Each line, variance and denoise yields a JSON object: mean square error against the mean of all
+/// samples (linear, clipped), share of pixels off by more than 2 sqrt(V), samples per pixel. A pixel takes at most a quarter of the samples
 /// unless --most says otherwise.
 
 #include <algorithm>
@@ -83,7 +82,7 @@ struct Recording
     std::size_t At(std::uint32_t x, std::uint32_t y, std::uint32_t index) const { return (std::size_t(y) * width + x) * samples + index; }
 };
 
-/// A portable float map: rows from below.
+/// Rows from below.
 void Write(const std::string& path, std::uint32_t width, std::uint32_t height,
            const std::function<std::array<double, 3>(std::uint32_t, std::uint32_t)>& pixel)
 {
@@ -106,7 +105,7 @@ json Replay(const Recording& recording, SamplingLimits limits, double variance, 
     limits.denoise = denoise;
     if (limits.min == 0)
         limits.SetUsualMinimum(true);
-    const LensFootprint footprint(Lens{}, Aperture::Disc(), 1.0, 1.0);  // recorded circles lie in the picture already
+    const LensFootprint footprint(Lens{}, Aperture::Disc(), 1.0, 1.0);  // already in the picture
     const Area all{0, 0, recording.width, recording.height};
     BlockCache cache(limits, recording.width, recording.height, all);
     TileSampler sampler(cache);
@@ -137,7 +136,7 @@ json Replay(const Recording& recording, SamplingLimits limits, double variance, 
         {"variance", variance}, {"denoise", denoise}, {"mse", error / pixels}, {"beyond", beyond / pixels}, {"samples", samples / pixels}};
 }
 
-} // namespace
+}  // namespace
 
 int main(int count, char** values)
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file variable_settings.h
-/// The sampler's numbers by name, for programs that try others (the part `ablation` of the benchmark).
+/// The sampler's numbers by name (the benchmark's part `ablation`).
 
 #ifndef TILT_LENS_VARIABLE_SETTINGS_H
 #define TILT_LENS_VARIABLE_SETTINGS_H
@@ -12,9 +12,9 @@
 namespace tilt_lens
 {
 
-/// Sets some of `settings`, the others have the values of settings.h.
-/// @param text  NAME=VALUE, separated by commas; may be empty
-/// @throws std::invalid_argument  an unknown name, or no number
+/// Others as in settings.h.
+/// @param text NAME=VALUE, separated by commas; may be empty
+/// @throws std::invalid_argument an unknown name, or no number
 void Vary(const std::string& text);
 
 } // namespace tilt_lens

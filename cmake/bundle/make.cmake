@@ -1,13 +1,13 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 #
-# Makes the bundle's folder WORK/NAME (Bundle.cmake calls this). Debian's tools tell which packages the libraries are from.
+# Makes the bundle's folder WORK/NAME, for Bundle.cmake. Debian's tools name the libraries' packages.
 cmake_minimum_required(VERSION 3.22)
 
 set(folder "${WORK}/${NAME}")
 set(program "${folder}/bin/povray")
 
-# owner(OUT FILE): the Debian package that FILE is from. The file's name may begin with /usr where dpkg's list has it without.
+# owner(OUT FILE): the Debian package of FILE. dpkg's list may lack the name's /usr.
 function(owner out file)
     get_filename_component(file "${file}" REALPATH)
     string(REGEX REPLACE "^/usr" "" short "${file}")
@@ -19,7 +19,7 @@ function(owner out file)
     set(${out} "${CMAKE_MATCH_1}" PARENT_SCOPE)
 endfunction()
 
-# licence(PACKAGE): copies the package's licences, with the texts that they refer to, and notes its source.
+# licence(PACKAGE): copies licences and the texts that they refer to, and notes the source.
 function(licence package)
     string(REGEX REPLACE ":.*" "" plain "${package}")
     file(COPY_FILE "/usr/share/doc/${plain}/copyright" "${folder}/licences/${plain}")
@@ -34,7 +34,7 @@ function(licence package)
     file(APPEND "${folder}/SOURCE" "${line}")
 endfunction()
 
-# newest_glibc(OUT FILE...): the newest version of glibc that the files ask for.
+# newest_glibc(OUT FILE...): the newest version that the files ask for.
 function(newest_glibc out)
     set(newest 0)
     foreach(file IN LISTS ARGN)
@@ -55,7 +55,7 @@ file(REMOVE_RECURSE "${folder}")
 execute_process(COMMAND "${CMAKE_COMMAND}" --install "${BUILD}" --component bundle --prefix "${folder}" --strip
     OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 
-# Libraries, all but glibc's. SDL is not among them: the program loads it with the first window, from the system if it is there.
+# All but glibc's. The program loads SDL with the first window, from the system.
 set(CMAKE_GET_RUNTIME_DEPENDENCIES_PLATFORM linux+elf)
 set(CMAKE_GET_RUNTIME_DEPENDENCIES_TOOL objdump)
 set(CMAKE_GET_RUNTIME_DEPENDENCIES_COMMAND "${OBJDUMP}")

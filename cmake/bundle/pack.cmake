@@ -1,8 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 #
-# Puts this project's source, which the licence asks for, into the bundle's folder WORK/NAME and makes the archive BUILD/NAME.tar.xz
-# (Bundle.cmake calls this).
+# Puts this project's source, which the licence asks for, into WORK/NAME and makes BUILD/NAME.tar.xz, for Bundle.cmake.
 set(source "povray-tilt-lens-${VERSION}.tar.xz")
 execute_process(COMMAND "${CPACK}" --config "${SOURCE_CONFIG}" -B "${WORK}/source" OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 file(COPY_FILE "${WORK}/source/${source}" "${WORK}/${NAME}/${source}")

@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 #
-# Read by CPack before it makes a package: whose package it is, in the way of Debian's own tools.
+# Read by CPack: the package's owner, in the way of Debian's tools.
 if(CPACK_GENERATOR STREQUAL "DEB")
     set(name "$ENV{DEBFULLNAME}")
     set(mail "$ENV{DEBEMAIL}")

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file box_scene.h
-/// scenes/paper/box_objects.inc for a tracer that is not POV-Ray: even light and sunlight on a board and a box,
-/// centimetres.
+/// scenes/paper/box_objects.inc for another tracer: even light and sunlight, centimetres.
 
 #ifndef PAPER_BOX_SCENE_H
 #define PAPER_BOX_SCENE_H
@@ -21,7 +20,7 @@ class BoxScene
     /// Linear RGB.
     Vector Seen(const Ray& ray) const;
 
-    /// Length of the ray to the first surface; infinite for the sky.
+    /// Infinite for the sky.
     double Distance(const Ray& ray) const;
 
   private:

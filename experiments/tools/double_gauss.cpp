@@ -12,7 +12,7 @@ namespace paper
 namespace
 {
 
-/// A row of the file: radius, distance to the next surface, index behind, clear diameter; mm.
+/// Radius, thickness, index behind, clear diameter; mm.
 struct Printed
 {
     double radius, thickness, index, diameter;
@@ -33,10 +33,10 @@ struct Paraxial
     double y, slope;
 };
 
-/// The refraction of paraxial rays that travel toward -z (from scene to film).
+/// Toward -z (scene to film).
 Paraxial Refract(Paraxial ray, double radius, double before, double after)
 {
-    // n' u' = n u - y (n' - n)/R with u = dy/d(depth), depth = -z
+    // n' u' = n u - y (n' - n)/R, depth = -z
     const double u = -ray.slope;
     return {ray.y, -((before * u - ray.y * (after - before) / radius) / after)};
 }
@@ -62,7 +62,7 @@ GlassLens::GlassLens(double focalLength, double fStop, double moved)
         index = row.index;
     }
     mStopAfter = kStopAfter;
-    // A ray parallel to the axis, scene to film and film to scene: focal length, H' and H.
+    // A parallel ray each way: focal length, H' and H.
     Paraxial ray{1.0, 0.0};
     for (std::size_t i = 0; i < mSurfaces.size(); ++i)
     {
@@ -77,7 +77,7 @@ GlassLens::GlassLens(double focalLength, double fStop, double moved)
     {
         if (i + 1 < mSurfaces.size())
             back.y += back.slope * (mSurfaces[i].z - mSurfaces[i + 1].z);
-        // toward +z: n' u' = n u + y (n' - n)/R with n' in front
+        // n' u' = n u + y (n' - n)/R with n' in front
         const Surface& s = mSurfaces[i];
         back.slope = (s.after * back.slope + back.y * (s.before - s.after) / s.radius) / s.before;
     }
@@ -99,7 +99,6 @@ GlassLens::GlassLens(double focalLength, double fStop, double moved)
 
 void GlassLens::PlaceStop()
 {
-    // Entrance pupil: the stop as seen from the scene; exit pupil: as seen from the film.
     const auto seen = [this](double stop, bool fromScene)
     {
         const int first = fromScene ? mStopAfter : mStopAfter + 1;
@@ -120,7 +119,7 @@ void GlassLens::PlaceStop()
         const double at = z - axial.y / axial.slope;
         return std::pair<double, double>{at, rim.y + rim.slope * (at - z)};
     };
-    // The stop where its image in the scene lies in H, as in the thin lens, or as near to it as the air space allows.
+    // The stop's image lies in H, or as near as the air space allows.
     double best = mStopZ, error = std::fabs(seen(mStopZ, true).first);
     const double from = mSurfaces[mStopAfter].z, to = mSurfaces[mStopAfter + 1].z;
     for (int i = 5; i < 200; ++i)
@@ -135,7 +134,7 @@ void GlassLens::PlaceStop()
     mStopZ = best;
     mEntrancePupil = seen(best, true).first;
     mExitPupil = seen(best, false).first;
-    // The f-number belongs to the entrance pupil.
+    // f-number: of the entrance pupil
     mStopRadius = mPupilRadius / std::fabs(seen(best, true).second);
     mPupilRadius = mStopRadius * std::fabs(seen(best, false).second);
 }

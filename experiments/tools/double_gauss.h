@@ -2,15 +2,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file double_gauss.h
-/// A lens of glass: a double Gauss of six elements for 50 mm and f/2. Its rows are those of the lens
-/// file dgauss.50mm.dat of the renderer pbrt, all of them, but for the place of the stop; the file
-/// names US patent 2,673,491 (Tronnier) after Smith, Modern Lens Design, as its source. One
-/// wavelength, Snell's law at every surface. It shares nothing with the thin lens but the numbers it
-/// is asked for.
+/// A double Gauss of six elements for 50 mm and f/2: pbrt's dgauss.50mm.dat but for the stop's place; US patent 2,673,491 (Tronnier), after
+/// Smith, Modern Lens Design. One wavelength, Snell's law, independent of the thin lens.
 ///
-/// Frame: z along the lens's axis toward the scene, origin in the front principal point H. The film
-/// side principal point H' is at -Separation(). A thin lens is this lens with the space between H
-/// and H' taken out, so they are compared with the film moved back by that much along the axis.
+/// z along the axis toward the scene, origin in the front principal point H; H' is at -Separation(). For comparison with a thin lens the
+/// film moves back by that much.
 
 #ifndef PAPER_DOUBLE_GAUSS_H
 #define PAPER_DOUBLE_GAUSS_H
@@ -30,7 +26,6 @@ struct Ray
     Vector origin, direction;  ///< lens frame, mm; direction is a unit vector
 };
 
-/// A ray that came through.
 struct Passage
 {
     Ray out;
@@ -40,8 +35,8 @@ struct Passage
 class GlassLens
 {
   public:
-    /// Scaled to a focal length (mm), stopped down to an f-number.
-    /// @param moved  mm of the file by which the first element stands farther from the others than there
+    /// Focal length in mm, and f-number.
+    /// @param moved mm of the file between first element and the others, in addition
     GlassLens(double focalLength, double fStop, double moved = 0.0);
 
     double FocalLength() const { return mFocalLength; }
@@ -52,17 +47,17 @@ class GlassLens
 
     double PrintedFocalLength() const { return mPrintedFocal; }  ///< of the rows as they are, mm
 
-    /// The ray's way out into the scene; nothing where the stop or a rim (unless left out) ends it.
+    /// None where the stop or a rim (unless left out) ends it.
     std::optional<Passage> Trace(const Ray& fromFilm, bool rims = true) const;
 
   private:
-    /// A spherical surface, in order from the scene to the film.
+    /// Spherical; scene to film.
     struct Surface
     {
-        double z;              ///< of its vertex, mm
-        double radius;         ///< mm, positive where its centre lies toward the film
+        double z;  ///< of its vertex, mm
+        double radius;  ///< mm, positive where its centre lies toward the film
         double before, after;  ///< refractive index on the side of the scene, of the film
-        double rim;            ///< radius of its clear opening, mm
+        double rim;  ///< radius of its clear opening, mm
     };
 
     void PlaceStop();

@@ -23,7 +23,7 @@ const double kPi = std::acos(-1.0);
 /// Steps of the frame's width and height between the fitted places.
 const int kPlaces = 24;
 
-/// A little more than the paraxial pupil: the stop decides.
+/// Beyond the paraxial pupil: the stop decides.
 const double kAim = 1.15;
 
 Vector AtLensPlane(const Ray& ray)
@@ -31,7 +31,7 @@ Vector AtLensPlane(const Ray& ray)
     return ray.origin - (ray.origin.z / ray.direction.z) * ray.direction;
 }
 
-/// Least squares z = p0 + p1 x + p2 y over (x, y, z), by Cramer's rule.
+/// Least squares z = p0 + p1 x + p2 y, by Cramer's rule.
 std::array<double, 3> FitPlane(const std::vector<Vector>& points)
 {
     Vector rows[3], right;
@@ -85,7 +85,7 @@ Ray GlassCamera::ToWorld(const Vector& origin, const Vector& direction) const
     return {mLocation + (1.0 / mSetting.sceneUnit) * world(origin), Unit(world(direction))};
 }
 
-/// From the film toward a point of the exit pupil; lens frame.
+/// Film to exit pupil; lens frame.
 Ray GlassCamera::FilmRay(double x, double y, double a, double b) const
 {
     const Vector film = ToLens(-mSetting.filmDistance * Chief(x, y)) - Vector{0.0, 0.0, mGlass.Separation()};
@@ -94,7 +94,7 @@ Ray GlassCamera::FilmRay(double x, double y, double a, double b) const
     return {film, direction.z < 0.0 ? -1.0 * direction : direction};
 }
 
-/// Through an ideal lens: from its point toward the image of the film point, 1/u + 1/v = 1/f.
+/// Toward the film point's image, 1/u + 1/v = 1/f.
 Ray GlassCamera::ThinRay(const Vector& chief, double a, double b) const
 {
     const double radius = 0.5 * mSetting.focalLength / mSetting.fStop, f = mSetting.focalLength;
@@ -144,7 +144,6 @@ GlassCamera::Bundle GlassCamera::FitBundle(double x, double y) const
     return {{u[0], u[1], u[2], v[0], v[1], v[2]}};
 }
 
-/// Between the corners of a pixel.
 GlassCamera::Bundle GlassCamera::BundleAt(double x, double y) const
 {
     const int column = std::clamp(static_cast<int>(x), 0, mSetting.width - 1);
@@ -163,7 +162,7 @@ std::optional<Ray> GlassCamera::Shoot(Model model, double x, double y, double a,
 {
     if (mNodes.empty())
         return ThinRay(Chief(x, y), a, b);
-    // The same points of the stop for every model, so that noise cancels.
+    // the same stop points for every model: noise cancels
     const auto passage = mGlass.Trace(FilmRay(x, y, a, b), model >= Model::Pupil);
     if (!passage)
         return std::nullopt;
@@ -222,7 +221,7 @@ bool GlassCamera::Vignetted(double x, double y, double a, double b) const
 namespace
 {
 
-/// Least squares of up to three terms, by the normal equations; redundant terms get 0.
+/// Normal equations, up to three terms; redundant ones get 0.
 class LeastSquares
 {
   public:
@@ -236,8 +235,7 @@ class LeastSquares
         }
     }
 
-    /// Gauss's elimination: the matrix is symmetric and positive, so a pivot that vanishes belongs to a combination of
-    /// the terms before it.
+    /// Gauss: a vanishing pivot is a combination of earlier terms.
     std::array<double, 3> Solve() const
     {
         auto a = mMatrix;
@@ -276,8 +274,7 @@ double GlassCamera::Nearness(const Vector& chief) const
     return 1.0 - mSetting.focalLength / (mSetting.filmDistance * Dot(chief, mLensAxis));
 }
 
-/// The ideal chief ray at the tangent u from the lens's axis is bent to u (1 + (d2 + n m) u^2 + d4 u^4), m being
-/// Nearness().
+/// u (1 + (d2 + n m) u^2 + d4 u^4) for the ideal ray's tangent u, m being Nearness().
 GlassCamera::Distortion GlassCamera::FittedDistortion(bool near) const
 {
     LeastSquares bend;
@@ -300,8 +297,7 @@ GlassCamera::Distortion GlassCamera::FittedDistortion(bool near) const
     return found;
 }
 
-/// Slopes against the axis fall by w for each mm across the lens's plane, w being the inverse distance to the focus;
-/// field curvature adds c u^2 to w.
+/// Slopes fall by w, the inverse focus distance, per mm across the lens; field curvature adds c u^2 to w.
 Character GlassCamera::Fitted() const
 {
     double bent = 0.0, most = 0.0;

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file double_gauss_camera.h
-/// The camera of scenes/paper/box_camera.inc with a lens of glass, tilted as a whole, or with an
-/// ideal thin lens that has been given some of the glass's properties: each model has one more, so
-/// that the difference of two pictures is what that property does.
+/// The camera of scenes/paper/box_camera.inc with a tilted lens of glass, or a thin lens with some of its properties: two models differ by
+/// one.
 
 #ifndef PAPER_DOUBLE_GAUSS_CAMERA_H
 #define PAPER_DOUBLE_GAUSS_CAMERA_H
@@ -37,7 +36,7 @@ enum class Model
 };
 constexpr int kModels = 5;
 
-/// The numbers of `tilt_lens` fitted to this lens.
+/// Numbers for `tilt_lens`.
 struct Character
 {
     double distortion1, distortion2;  ///< of the squared distance from the lens's axis, in half widths of the film, and its square
@@ -49,37 +48,34 @@ struct Character
 class GlassCamera
 {
   public:
-    /// @param thinOnly  for Model::Thin alone, at any f-number: nothing is traced through the glass
+    /// @param thinOnly Model::Thin at any f-number, nothing traced
     explicit GlassCamera(const Setting& setting, bool thinOnly = false);
 
     const GlassLens& Glass() const { return mGlass; }
 
-    /// The ray of a film point (pixels) and a point in the unit circle about the exit pupil, part of which the stop
-    /// covers; world, scene units.
+    /// From a film point (pixels) through the unit circle about the exit pupil; world, scene units.
     std::optional<Ray> Shoot(Model model, double x, double y, double a, double b) const;
 
-    /// The ray of each model through the same point of the stop; nothing where the glass lets none pass. World, scene
-    /// units.
+    /// By model, through one point of the stop; none where the glass blocks. World, scene units.
     std::optional<std::array<Ray, kModels>> ShootAll(double x, double y, double a, double b) const;
 
-    /// True if the ray passes the stop; a rim may still end it.
+    /// A rim may still end it.
     bool Vignetted(double x, double y, double a, double b) const;
 
-    /// By least squares over the frame: its chief rays, then the mean focus of its rays (astigmatism is left out).
+    /// Least squares over the frame: chief rays, then mean focus (without astigmatism).
     Character Fitted() const;
 
-    /// The ray of an ideal lens with these numbers, through the same point of the stop as ShootAll(). World, scene
-    /// units.
+    /// An ideal lens, the stop points of ShootAll(). World, scene units.
     std::optional<Ray> ShootCharacter(const Character& character, double x, double y, double a, double b) const;
 
     /// Along the camera's axis, scene units.
     double Depth(const Vector& point) const;
 
-    /// Pixel where a pinhole in the lens centre shows the point of a ray at a depth.
+    /// By a pinhole in the lens centre.
     std::array<double, 2> PixelAt(const Ray& ray, double depth) const;
 
   private:
-    /// Focal length over the distance, along the lens's axis, of the focus of an ideal lens for a film point.
+    /// Along the lens's axis, for an ideal lens.
     /// @param chief of the film point, camera frame, 1 along the camera's axis
     double Nearness(const Vector& chief) const;
 
@@ -90,11 +86,10 @@ class GlassCamera
     };
     Distortion FittedDistortion(bool near) const;
 
-    /// The rays of one film point behind the glass, to first order in the pupil: slopes against the lens's axis where
-    /// a ray crosses H's plane at (x, y).
+    /// First order in the pupil: slopes against the axis at (x, y) in H's plane.
     struct Bundle
     {
-        /// For each of the two slopes: value in H, change with x, and with y.
+        /// In H, change with x, with y.
         std::array<double, 6> slopes{};
 
         Vector Direction(double x, double y) const;

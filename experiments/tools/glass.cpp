@@ -1,10 +1,8 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// A second "photograph" of the box scene, by a lens of glass tilted as a whole: rays from each
-// pixel of the film through every refracting surface to the scene of scenes/paper/box_objects.inc.
-// With --model an ideal lens that has only some of the glass's properties (double_gauss_camera.h), and
-// along --line how far aside, in pixels, each of the properties sends the rays.
+// The box scene by a tilted lens of glass: rays from each pixel through every surface. --model: an ideal lens with some properties
+// (double_gauss_camera.h); --line: how far, in pixels, each property displaces the rays.
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +29,7 @@ using paper::Vector;
 const std::map<std::string, Model> kModelNames = {
     {"thin", Model::Thin}, {"distortion", Model::Distortion}, {"field", Model::Field}, {"pupil", Model::Pupil}, {"glass", Model::Glass}};
 
-/// True if a pixel lies within `reach` of one of the lines x y x y ...
+/// Lines x y x y ...
 bool Near(const std::vector<double>& lines, double reach, double x, double y)
 {
     for (std::size_t i = 0; i + 3 < lines.size(); i += 4)
@@ -70,7 +68,7 @@ witness::Picture Photograph(const paper::Setting& setting, const GlassCamera& ca
                 }
             if (arrived == 0)
                 throw std::runtime_error("a pixel that no ray leaves");
-            // The mean over the rays that pass: no vignetting, as in POV-Ray.
+            // no vignetting, as in POV-Ray
             sum = (1.0 / arrived) * sum;
             picture.values.insert(picture.values.end(), {sum.x, sum.y, sum.z});
         }
@@ -82,8 +80,7 @@ double Between(const std::array<double, 2>& a, const std::array<double, 2>& b)
     return std::hypot(a[0] - b[0], a[1] - b[1]);
 }
 
-/// Mean distances in pixels along a line of the film, at the depth of the visible surface. Between the rays of each
-/// model and the next, of the first and the last, and of an ideal lens with character and the last.
+/// Mean distances, pixels, at the visible surface: between successive models, first and last, character and last.
 json MeasureLine(const GlassCamera& camera, const paper::Character& character, double x0, double y0, double x1, double y1)
 {
     const paper::BoxScene scene;

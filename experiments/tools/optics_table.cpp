@@ -1,14 +1,12 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Equation (1) of the paper by Nakane et al. as a table:
+// Equation (1) of Nakane et al.:
 //
 //     tan(theta_L) = f_p tan(theta_F) / (U + f_p)
 //
-// theta_F: angle of the plane of sharp focus to the film, U: its distance on the axis, f_p: the
-// film distance (the paper's word for it is focal length), theta_L: the lens's angle. The left side
-// is the solver's, once from theta_F and once in reverse; the right side is computed here in long
-// double.
+// theta_F: plane of sharp focus to film, U: its distance on the axis, f_p: film distance (the paper's focal length), theta_L: the lens's
+// angle. Left: the solver, also reversed; right: long double.
 
 #include <cmath>
 #include <cstdio>
@@ -28,7 +26,7 @@ using tilt_lens::Statement;
 
 const long double kDegree = std::acos(-1.0L) / 180.0L;
 
-/// One line of the table. Degrees, scene units; relative errors in units of double's epsilon.
+/// Degrees, scene units; errors in double's epsilon.
 struct Row
 {
     double focusTilt, distance, filmDistance;
@@ -36,7 +34,7 @@ struct Row
     double error, reverseError, focalLength;
 };
 
-/// A camera at the origin that looks along z, with a film 36 mm wide at the distance filmDistance.
+/// At the origin, along z, film 36 mm wide.
 tilt_lens::CameraFrame Camera(double filmDistance)
 {
     return {{}, {0, 0, 1}, {0.036 / filmDistance, 0, 0}, {0, 0.024 / filmDistance, 0}};

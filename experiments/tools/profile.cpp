@@ -1,9 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The profile tool: brightness along a line between two points of one or several pictures, as CSV and as a plot, with
-// the average absolute difference to the first in 8-bit levels; moments of blur spots, edges of bright things, the
-// blur between two pictures, and steepness.
+// Brightness along a line as CSV and plot, with differences to the first picture in 8-bit levels; moments of spots, edges, blur, steepness.
 
 #include <cstdio>
 #include <fstream>
@@ -57,7 +55,7 @@ void WriteCsv(const std::string& path, const std::vector<Curve>& curves, double 
         throw std::runtime_error("cannot write " + path);
 }
 
-/// In gnuplot's single quotes only a quote is special: it is written twice.
+/// gnuplot's single quotes: a quote is written twice.
 std::string Quoted(const std::string& text)
 {
     std::string quoted = "'";

@@ -13,7 +13,7 @@ namespace paper
 namespace
 {
 
-/// Coverage of pixels by a disc, in parts of the disc.
+/// In parts of the disc.
 struct Disc
 {
     int reach = 0;
@@ -28,7 +28,7 @@ struct Disc
         for (int y = -reach; y <= reach; ++y)
             for (int x = -reach; x <= reach; ++x)
             {
-                // Fine cells on the rim count in part, so that the sum has no steps.
+                // fine cells on the rim count in part: no steps
                 double inside = 0.0;
                 for (int k = 0; k < fine * fine; ++k)
                 {
@@ -44,8 +44,7 @@ struct Disc
             weight /= sum;
     }
 
-    /// Diameter of a true disc with the weights' variance: on the grid they are a little wider, and a disc within one
-    /// pixel has no effect.
+    /// From the weights' variance: the grid widens them, and a disc within one pixel has no effect.
     double TrueDiameter() const
     {
         double variance = 0.0;
@@ -57,7 +56,7 @@ struct Disc
     }
 };
 
-/// The disc's weights on a grid n times finer, each spread over n by n cells.
+/// n times finer, each spread over n by n cells.
 Disc Spread(const Disc& disc, int n)
 {
     Disc wide(0.0);
@@ -80,7 +79,7 @@ class Match
         for (int row = 0; row < mHeight; ++row)
             for (int column = 0; column < mWidth; ++column)
                 mSharp.push_back(Luminance(sharp, column, row));
-        // A large window is sampled at some thousand pixels.
+        // some thousand pixels of a large window
         mStep = std::max(1, static_cast<int>(std::sqrt(window.width * window.height / 1500.0)));
         double sum = 0.0, squares = 0.0;
         for (int row = 0; row < window.height; row += mStep)
@@ -98,7 +97,6 @@ class Match
     double Contrast() const { return mContrast; }
     double TrueDiameter(double diameter) const { return Disc(mFiner * diameter).TrueDiameter() / mFiner; }
 
-    /// RMS difference with a disc of this diameter.
     double Error(double diameter) const
     {
         const Disc disc = Spread(Disc(mFiner * diameter), mFiner);
@@ -119,7 +117,7 @@ class Match
     }
 
   private:
-    /// The cell of the sharp picture in the middle of a pixel.
+    /// In the middle of a pixel.
     int Fine(int pixel) const { return mFiner * pixel + mFiner / 2; }
 
     double At(int column, int row) const
@@ -146,7 +144,7 @@ Blur BlurBetween(const witness::Picture& sharp, const witness::Picture& blurred,
     const Match match(sharp, blurred, window);
     if (!(match.Contrast() > 0.0))
         throw std::invalid_argument("the window has no contrast");
-    // Steps that grow with the diameter find the valley, bisection its bottom.
+    // growing steps find the valley, bisection its bottom
     double best = 0.0, least = match.Error(0.0), low = 0.0, high = 0.5;
     for (double last = 0.0, here = 0.5; last < widest; last = here, here = 1.12 * here + 0.2)
         if (const double error = match.Error(here); error < least)

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sharpness.h
-/// The blur of a part of a picture, as the diameter of the disc that makes it out of a sharp picture; and the
-/// steepness of a picture's brightness.
+/// Blur as the diameter of a disc; steepness of brightness.
 
 #ifndef PAPER_SHARPNESS_H
 #define PAPER_SHARPNESS_H
@@ -25,15 +24,13 @@ struct Blur
     double residual = 0.0;  ///< RMS residual of the fitted disc, in parts of the contrast
 };
 
-/// The disc, at most `widest` pixels across, that brings the sharp picture nearest to the blurred one in the window:
-/// least squares of linear luminance. The sharp picture may be 3, 5 ... times as wide and high. Beyond its edge its
-/// last pixels go on.
-/// @throws std::invalid_argument pictures of unfit sizes, a window outside, or one without contrast.
+/// At most `widest` pixels across, by least squares of linear luminance in the window. The sharp picture may be 3, 5 ... times finer.
+/// Beyond its edge its last pixels go on.
+/// @throws std::invalid_argument unfit sizes, a window outside, or without contrast
 Blur BlurBetween(const witness::Picture& sharp, const witness::Picture& blurred, const Window& window, double widest);
 
-/// Mean steepness in levels of an 8-bit sRGB file per pixel, of the pixels not farther than
-/// `reach` from a line between two points.
-/// @throws std::invalid_argument  for a line outside of the picture.
+/// Levels of 8-bit sRGB per pixel, within `reach` of a line.
+/// @throws std::invalid_argument a line outside the picture
 double MeanSteepness(const witness::Picture& picture, Point from, Point to, double reach);
 
 }  // namespace paper

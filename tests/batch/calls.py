@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Common to the tests of ./batch: scenes, calls of the command, reference pictures."""
+"""Shared by the tests of ./batch."""
 
 import argparse
 import contextlib
@@ -35,7 +35,7 @@ plane { y, -1 pigment { checker rgb 0.9, rgb <0.1, 0.3, 0.7> } }
 sphere { <2*clock - 1, 0, 0>, 1 pigment { rgb <0.9, 0.4, 0.1> } finish { phong 0.6 } }
 """
 
-# Stock camera, stock anti-aliasing: exact if bands are cut between POV-Ray's blocks.
+# exact if bands are cut between POV-Ray's blocks
 STOCK = """#version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <0, 3, -6> look_at <0, 0, 1> angle 50 right x*image_width/image_height }
@@ -49,7 +49,6 @@ SLOW = ("+W192", "+H128", "Declare=Samples=400")
 
 
 def processes(text):
-    """Numbers of running processes whose command line or current folder contains the text."""
     found = []
     for name in filter(str.isdigit, os.listdir("/proc")):
         with contextlib.suppress(OSError):
@@ -61,13 +60,12 @@ def processes(text):
 
 
 def picture(path):
-    """Size, type of values and hash of the decoded pixels."""
     info = image_info(pathlib.Path(path))
     return *info["size"], info["form"], info["pixels"]
 
 
 class BatchTest(WaitingTest):
-    """A test in a folder of its own, whose name contains a space and a quotation mark."""
+    """Its folder's name contains a space and a quotation mark."""
 
     longMessage = True
 
@@ -86,11 +84,9 @@ class BatchTest(WaitingTest):
         return path
 
     def words(self, *words):
-        """The command line of a call."""
         return [str(ROOT / "batch"), *map(str, words), "--povray", str(self.program)]
 
     def stand_in(self, script):
-        """Installs a script as the program under test, with that program's files around it."""
         prefix = self.folder / "stand-in"
         (prefix / "bin").mkdir(parents=True)
         for folder in ("etc", "share"):
@@ -100,13 +96,11 @@ class BatchTest(WaitingTest):
         self.program.chmod(0o755)
 
     def batch(self, *words, code=0, before=(), **how):
-        """Calls ./batch; returns its output. `how`: for povray_run.run()"""
         done = povray_run.run([*before, *self.words(*words)], self.folder, self.env, **how)
         self.assertEqual(done.code, code, f"{done.told()}\n{self.evidence()}")
         return done.said
 
     def start(self, *words):
-        """Starts ./batch in a process group of its own, as a terminal does."""
         log = open(self.folder / "said", "wb")
         self.addCleanup(log.close)
         process = subprocess.Popen(
@@ -130,14 +124,13 @@ class BatchTest(WaitingTest):
         return (self.folder / "said").read_text(errors="replace")
 
     def evidence(self):
-        """The ends of all logs, for a failed test."""
         parts = []
         for path in sorted(self.folder.rglob("*.batch/log/*")):
             parts.append(f"== {path.name}\n{path.read_text(errors='replace')[-1500:]}")
         return "\n".join(parts[-4:])
 
     def working_povrays(self, work):
-        """Numbers of POV-Rays that have written a part of a unit, of the batch with this work folder."""
+        """Running POV-Rays of this batch that have written part of a unit."""
         found = []
         for pid, words in processes("/bin/povray"):
             with contextlib.suppress(OSError):
@@ -148,20 +141,17 @@ class BatchTest(WaitingTest):
         return found
 
     def rendered(self, scene, picture, *options, folder):
-        """The picture of a scene by one call of the program in the folder; the options give its size."""
         command = povray_run.command(SETTINGS.povray, scene, picture, (64, 64), *options)
         povray_run.run(command, folder, self.env).succeeded()
         return folder / picture
 
     def whole(self, scene, target, *words):
-        """Renders the reference picture by one call of the program."""
         folder = target.parent / "whole"
         folder.mkdir(exist_ok=True)
         shutil.copy(scene, folder / "scene.pov")
         return self.rendered("scene.pov", target.name, *words, folder=folder)
 
     def assert_same(self, path, whole):
-        """The same size, type of values and pixels, and not an empty picture."""
         self.assertEqual(picture(path), picture(whole), str(path))
         self.assertGreater(self.spread(whole), 0.05, "an empty picture shows nothing")
 
@@ -171,16 +161,13 @@ class BatchTest(WaitingTest):
         return max(float(n) for n in re.search(r"Stats StdDev: ([0-9. ]+)", done.stdout).group(1).split())
 
     def records(self, work, state):
-        """Name -> contents of the records of a state."""
         return {path.stem: json.loads(path.read_text()) for path in (work / state).glob("*.json")}
 
     def assert_nothing_runs(self, text):
-        """No process of this batch is left."""
         self.until("all processes to end", lambda: not [p for p, _ in processes(text)])
 
 
 def read_settings():
-    """Parses --povray; returns the rest of the command line."""
     arguments = argparse.ArgumentParser(add_help=False)
     arguments.add_argument("--povray", required=True)
     _, rest = arguments.parse_known_args(namespace=SETTINGS)
@@ -189,5 +176,4 @@ def read_settings():
 
 
 def main():
-    """Runs the tests of the calling module."""
     unittest.main(module="__main__", argv=[sys.argv[0], *read_settings()])

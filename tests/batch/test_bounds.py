@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Limits of a batch: units that hang, state files that crash POV-Ray, pictures changed later, two batches with the
-same pictures. Failures are shown with their own logs."""
+"""Hanging units, state files that crash POV-Ray, pictures changed later, two batches with the same pictures."""
 
 import shlex
 

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Some frames of a film, again or for the first time; the status as JSON; a command afterwards; texts in a sweep."""
+"""Rendering some frames of a film; the status as JSON; commands afterwards; texts in a sweep."""
 
 import json
 import os
@@ -62,7 +62,6 @@ class Longer(BatchTest):
         self.whole(scene, self.folder / "f.png", "+FN", *SIZE, "+KFI1", "+KFF4")
         for n in range(1, 5):
             self.assert_same(self.folder / "scene_film" / f"scene000{n}.png", self.folder / "whole" / f"f{n}.png")
-        # the longer film is now the stored one
         self.assertIn("4 of 4 pictures", self.batch(*self.FILM, "--frames", 4))
         self.assertIn("pictures (frames", self.refused("--frames", 3))
 

@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Pictures joined from bands equal those of one render: file types, numbers of bands, stock scenes. Scenes that
-cannot be cut are not."""
+"""Pictures joined from bands equal those of one render. Bands of scenes whose pixels depend on the rows are refused."""
 
 import os
 import time

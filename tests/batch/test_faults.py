@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""POV-Ray, a worker, GNU parallel or the whole batch is killed in mid-render; Ctrl-C; a full disk; a failing scene.
-Afterwards the picture equals that of one render."""
+"""Faults in mid-render: after each, a second call finishes the picture of a single render."""
 
 import os
 import pathlib
@@ -17,8 +16,6 @@ from tests.waiting import PATIENCE
 
 
 class Killed(BatchTest):
-    """Each test starts a slow picture of four bands, breaks something, and compares at the end."""
-
     def begin(self, *more):
         self.scene(LENS)
         process = self.start("still", "scene.pov", "--bands", 4, "--workers", 2, *SLOW, *more)
@@ -72,7 +69,6 @@ class Killed(BatchTest):
         return said
 
     def test_oiiotool_ends_with_who_runs_it(self):
-        """In the last steps of a batch, which read and join pictures."""
         tools = self.folder / "tools"
         tools.mkdir()
         (tools / "oiiotool").write_text("#!/bin/sh\nexec sleep 1000\n")

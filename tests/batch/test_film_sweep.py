@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Films and sweeps: each picture equals that of a single call; the contact sheet; refused command lines."""
+"""Films and sweeps equal single calls; the contact sheet; refused command lines."""
 
 from tests.batch import calls
 from tests.batch.calls import LENS, BatchTest, picture
@@ -39,7 +39,7 @@ class Sweep(BatchTest):
         for tilt, samples in ((-6, 4), (0, 16)):
             whole = self.whole(scene, self.folder / "w.png", "+FN", *SIZE, f"Declare=Tilt={tilt}", f"Declare=Samples={samples}")
             self.assert_same(folder / f"scene_Tilt={tilt}_Samples={samples}.png", whole)
-        # two columns of three, each with a strip for the label, six pixels between
+        # six pixels between
         self.assertEqual(picture(folder / "scene_sheet.png")[:2], (2 * 64 + 6, 3 * (48 + 26) + 2 * 6))
 
     def test_sheet_of_exr(self):

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Layers of bands (Output_Layers) are joined like the picture: every channel, and the attributes."""
+"""Layers of bands are joined as pictures are."""
 
 import re
 import subprocess

@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Hundreds of tiny pictures: all are made, never with more POV-Rays at once than requested, several to a task, also
-where a cluster's arrays hold fewer tasks than there are pictures."""
+"""Hundreds of tiny pictures: the requested number of POV-Rays, and several pictures to a task."""
 
 import itertools
 import shlex

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Arbitrary names, scenes that read files relative to themselves, read-only folders."""
+"""Any file names, relative file names in scenes, read-only folders."""
 
 import os
 import pathlib
@@ -27,8 +27,6 @@ sphere { <2, 0, 0>, Size pigment { rgb 1 } }
 
 
 class InFolders(BatchTest):
-    """Scenes that read files of their folder."""
-
     def lay_out(self, name):
         folder = self.folder / name / "scenes"
         for path, text in (("own.inc", "#declare Own = 1;"), ("../beside/other.inc", "#declare Other = 1;"), ("values.txt", "0.7")):
@@ -41,7 +39,6 @@ class InFolders(BatchTest):
         return scene
 
     def whole_in_place(self, scene):
-        """The reference picture, rendered in the scene's folder."""
         copy = scene.with_name("copy.pov")
         copy.write_text(scene.read_text())
         picture = self.rendered(copy.name, "copy.png", "--unrestricted", "+FN", "+W64", "+H64", folder=scene.parent)
@@ -73,8 +70,6 @@ class InFolders(BatchTest):
 
 
 class Options(BatchTest):
-    """Files and folders that options, ini files and the environment name."""
-
     def test_files_elsewhere(self):
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             (pathlib.Path(name) / "other.inc").write_text("#declare Other = 1;\n")

@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A still, a film and a sweep on a private Slurm cluster of three nodes, while a POV-Ray, a task's shell and a
-whole node are killed. The pictures equal those of single renders."""
+"""On a private Slurm cluster of three nodes, a POV-Ray, a task's shell and a node are killed; the pictures equal single renders."""
 
 import os
 import signal
@@ -20,7 +19,7 @@ SLOWER = (*SLOW[:2], "Declare=Samples=800", "Output_Layers=on")  # so that a ban
 
 
 class OnSlurm(BatchTest):
-    """One cluster for all tests, used by one test at a time."""
+    """Tests share one cluster, one at a time."""
 
     @classmethod
     def setUpClass(cls):
@@ -58,7 +57,6 @@ class OnSlurm(BatchTest):
         self.assert_same(self.folder / "scene_film" / "scene0003.png", self.folder / "whole" / "f3.png")
 
     def compare_film_and_sweep(self):
-        """All pictures of both and the contact sheet exist, with the pixels of single renders."""
         scene = self.folder / "scene.pov"
         for tilt in (2, 4):
             whole = self.whole(scene, self.folder / "w.png", "+FN", *SMALL, f"Declare=Tilt={tilt}")
@@ -136,7 +134,6 @@ class OnSlurm(BatchTest):
         shells = [pid for pid, words in processes(f" task {work}") if node_of(pid) == "n2" and "setpriv" not in words]
         self.assertTrue(shells, "the task's shell, which has become the worker")
         os.kill(shells[0], signal.SIGKILL)
-        # meanwhile the remaining two nodes work on other batches
         for kind, words in self.kinds().items():
             if kind != "still":
                 self.batch(*words, "--on", "slurm")
@@ -160,7 +157,6 @@ class OnSlurm(BatchTest):
 
 
 def node_of(pid):
-    """The node whose job a process belongs to."""
     for entry in environment_of(pid):
         if entry.startswith(b"SLURMD_NODENAME="):
             return entry.split(b"=")[1].decode()
@@ -168,7 +164,7 @@ def node_of(pid):
 
 
 def main():
-    """As an ordinary user if root may become one that can run the programs under test: a cluster must not need root."""
+    """A cluster must not need root: as an ordinary user if that user can run the programs under test."""
     rest = calls.read_settings()
     user = ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups", "--pdeathsig=KILL"]
     program = module_command("tests.batch.test_on_slurm", "--povray", SETTINGS.povray)
@@ -183,7 +179,6 @@ def main():
 
 
 def can_run(*commands):
-    """True if all of the commands succeed."""
     return all(subprocess.run(command, cwd="/", capture_output=True, check=False).returncode == 0 for command in commands)
 
 

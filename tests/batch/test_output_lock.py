@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The lock beside the pictures, without POV-Ray: waiting calls, calls that leave jobs behind, and the time left."""
+"""The lock beside the pictures, without POV-Ray: waiting calls, jobs left behind, time left."""
 
 import pathlib
 import tempfile
@@ -26,7 +26,6 @@ class OutputLock(unittest.TestCase):
         self.lock = self.folder / ".a.png.lock"
 
     def taken_by(self, work, has_jobs=none):
-        """The batch that holds the lock, as a call for `work` finds it."""
         with output_lock(self.lock, work, has_jobs) as other:
             return other
 
@@ -82,7 +81,7 @@ class TimeLeft(unittest.TestCase):
 
 class Clocks(unittest.TestCase):
     def test_as_pov_ray_computes_them(self):
-        """In single precision, from the first to the last frame."""
+        """In single precision."""
         self.assertEqual([Clock(["+W3"], 3).of(n) for n in (1, 2, 3)], [0.0, 0.5, 1.0])
         self.assertEqual([Clock(["+KI1", "Final_Clock=7"], 4).of(n) for n in (1, 2, 3, 4)], [1.0, 3.0, 5.0, 7.0])
         self.assertEqual(Clock([], 4).of(2), 0.3333333432674408)

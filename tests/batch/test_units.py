@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Parts of ./batch without POV-Ray: bands, values, options, state files, lists, messages."""
+"""Parts of ./batch without POV-Ray."""
 
 import contextlib
 import io
@@ -113,7 +113,6 @@ class Options(unittest.TestCase):
 
 
 def message(contents):
-    """One message as POV-Ray writes them into its state file."""
     return b"POVRAYMS\0\0\3p" + struct.pack(">i", len(contents)) + b"RAWS" + contents
 
 
@@ -193,7 +192,6 @@ class Lists(unittest.TestCase):
                 task.check_inputs(description, folder, before, begun)
 
     def test_a_file_with_a_date_in_the_future(self):
-        """As from archives and file systems with another clock: known files, others, and others whose directory entry is newer."""
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
             path = folder / "own.inc"
@@ -220,7 +218,6 @@ class Lists(unittest.TestCase):
 
 class Documents(unittest.TestCase):
     def commands(self):
-        """The calls of ./batch in the pages, with the page's name."""
         for page in ("README.md", "docs/batch.md"):
             for line in (ROOT / page).read_text().splitlines():
                 found = re.match(r"    (?:python3 -m tools.cluster 3 )?\./batch (.*)", line)
@@ -318,7 +315,7 @@ class Records(unittest.TestCase):
 
 class Interrupted(unittest.TestCase):
     def test_before_the_wait_begins(self):
-        """Interrupting a call that found the jobs of an earlier one prints how to cancel them, however early."""
+        """Interrupting a call that found an earlier one's jobs prints how to cancel them."""
         said = io.StringIO()
         with tempfile.TemporaryDirectory() as name, unittest.mock.patch.object(
             progress, "Progress", side_effect=KeyboardInterrupt

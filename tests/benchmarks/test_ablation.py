@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The ablation's arithmetic; its rules and programs know the numbers of settings.h."""
+"""The ablation's arithmetic; its rules know the numbers of settings.h."""
 
 import re
 import unittest
@@ -10,7 +10,6 @@ from tools.repository import ROOT
 
 
 def curve(constant, samples=(8, 16, 64)):
-    """Independent samples: an error of constant/samples."""
     return [{"mse": constant / n, "samples": n, "variance": 1e-3, "beyond": 0.0} for n in samples]
 
 

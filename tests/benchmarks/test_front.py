@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The arithmetic behind the benchmark's ratios."""
+"""The arithmetic of the benchmark's ratios."""
 
 import unittest
 

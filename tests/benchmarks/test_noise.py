@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The tool that measures errors, with pictures whose errors are known: test_noise TOOL."""
+"""Error measurement of pictures whose errors are known: test_noise TOOL."""
 
 import json
 import pathlib
@@ -65,7 +65,7 @@ class Noise(unittest.TestCase):
         self.assertIn("from there on", self.tool("errors", self.reference(0.5, 0.5), whole, "--at", "17,0", fails=True))
 
     def halves(self, name, left, right):
-        """A picture of two values with layers beside it: 8 samples in its left half, 32 in its right, standard error 0.2."""
+        """8 samples in the left half, 32 in the right, standard error 0.2."""
         paths = [self.grey(f"{name}{side}", value, (8, 8)) for side, value in (("l", left), ("r", right))]
         picture = self.folder / f"{name}.exr"
         subprocess.run(["oiiotool", *map(str, paths), "--mosaic", "2x1", "-o", str(picture)], check=True)
@@ -176,7 +176,7 @@ class Noise(unittest.TestCase):
         lines = self.tool("groups", self.reference(0.5, 0.5), self.mosaic("a", 0.5, 0.75), self.grey("b", 0.75), "--side", 8)
         for line, wanted in zip(lines, ([0.0, 12.0], [12.0, 12.0])):
             self.assertEqual([round(square, 5) for square in line["squares"]], wanted)
-        # at the right edge a group has fewer columns, and the reference's own error is subtracted
+        # at the right edge a group has fewer columns
         (line,) = self.tool("groups", self.reference(0.4, 0.6), self.grey("c", 0.75), "--side", 10)
         for square, pixels in zip(line["squares"], (80, 48)):
             self.assertAlmostEqual(square, 3 * pixels * (0.0625 - 0.01), places=2)

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The pages show the results kept in docs/benchmarks, each part in one place."""
+"""The pages show the results of docs/benchmarks."""
 
 import json
 import pathlib

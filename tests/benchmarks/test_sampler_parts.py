@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The benchmark's parts about the sampler, with numbers whose results are known and with tiny pictures:
-test_sampler_parts PROGRAM TOOLS."""
+"""The benchmark's parts about the sampler, with known results and tiny pictures: test_sampler_parts PROGRAM TOOLS."""
 
 import dataclasses
 import pathlib
@@ -19,7 +18,6 @@ HAVE_KNOWN = ("mirror", "two_mirrors", "sky", "textures")  # scenes whose refere
 
 
 def errors_of(noisy, sharp, counts=(2, 4, 8)):
-    """Four pictures of two groups, whose squared errors fall with the samples."""
     return {n: [[noisy / n, sharp / n]] * 4 for n in counts}
 
 
@@ -30,7 +28,7 @@ class Allocation(unittest.TestCase):
         self.assertEqual((points[0], points[-1]), ((2.0, 4.0 / 200), ((8 + 2) / 2, 1.0 / 200)))
 
     def test_luck_is_not_taken_for_knowledge(self):
-        # in each half of the pictures another number of samples has no error by chance
+        # other sample counts in each half
         even = {2: [[0.0], [0.0], [10.0], [10.0]], 4: [[10.0], [10.0], [0.0], [0.0]]}
         self.assertEqual(min(error for _, error in allocation.ideal(even, [10])), 1.0)
 

@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The benchmark in miniature: test_small_run PROGRAM TOOLS. Checks that all methods of blur approach the same picture, and that
-measurements arrive in tables and plots; times are not tested."""
+"""The benchmark in miniature: test_small_run PROGRAM TOOLS. All methods of blur approach the same picture; times are not tested."""
 
 import copy
 import dataclasses
@@ -58,7 +57,6 @@ class SmallRun(unittest.TestCase):
         stock = {record["setting"]: record["rmse"] for record in self.records if record["program"] == "stock"}
         self.assertLess(stock["100"], 0.75 * stock["37"])
         self.assertLess(stock["100"], 0.03)
-        # a finer setting than the chain's last, which is the first better than stock's errors
         reference = self.lab.reference(SCENE.shot(TILT_LENS), *SCENE.reference)
         fine = self.lab.run(self.lab.ours, SCENE.shot(TILT_LENS, declare=suite.limits(8, 16384, 1e-4)), reference)
         self.assertLess(math.sqrt(fine["mse"]), 0.01)
@@ -85,7 +83,7 @@ class SmallRun(unittest.TestCase):
             self.assertGreater(wrong[-1]["mse"] - records[-1]["mse"], 0.25 * self.apart(), f"tilted {tilt}")
 
     def test_part_equals_the_part_of_the_whole(self):
-        """A part differs from the whole picture's reference by no more than its noise, for all programs."""
+        """A part's error is within its noise."""
         scene = dataclasses.replace(SCENE, part=LARGE)
         whole = self.lab.reference(dataclasses.replace(scene.shot(TILT_LENS), size=(200, 150), part=None), 2, 256)
         cut = whole.with_name("cut.exr")
@@ -138,7 +136,7 @@ class SmallRun(unittest.TestCase):
             self.assertLess(record["rmse"], 0.08, f"tilted {tilt}")
 
     def test_reconstruction_brings_a_ratio_and_a_small_bias(self):
-        # rays instead of callgrind's instructions, which take long
+        # rays, because callgrind takes long
         rows = reconstruction.measure(self.lab, SCENE, lambda lab, program, shot: lab.run(program, shot).get("samples", 0))
         self.assertEqual(len(rows), 2 * len(reconstruction.VARIANCES[:3]))
         self.assertTrue(all(0.5 < ratio < 3.0 for ratio in reconstruction.compare(rows).values()), rows)

@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Renders each example of a page at a small size, and the scenes of its ./render commands. tools/docs/pages.py describes the comments that
-belong to examples."""
+"""Renders each example of a page at a small size, and the scenes of its ./render commands."""
 
 import argparse
 import pathlib
@@ -43,14 +42,12 @@ def scene_of(example):
 
 
 def run(povray, folder, scene, options=(), library=()):
-    """Exit code and output of the program, run as ./render runs it."""
     command = povray_run.command(povray, scene, "picture.png", SIZE, *options, library=[povray_run.INCLUDE, *library])
     done = povray_run.run(command, folder, povray_run.user_environment())
     return done.code, done.said
 
 
 def plain(text):
-    """The text without the program's line breaks."""
     return re.sub(r"\s+", " ", text)
 
 
@@ -83,13 +80,13 @@ def check_example(povray, example, folder, index):
 
 
 def check_output(povray, block, folder):
-    """Compares a block of output with the program's messages: the same lines in the same order; '...' skips lines."""
+    """The same lines in the same order; '...' skips lines."""
     words = shlex.split(block.marker[1])
     name, options = words[0], words[1:]
     if not (folder / name).exists() and not (ROOT / name).exists():
         return [f"{block.place()}: the output is of {name}, which is neither an example of the page nor a scene"]
     path = name if (folder / name).exists() else ROOT / name
-    # one pixel is enough for messages before the render; those after it need the whole picture
+    # one pixel suffices for messages before the render
     part = [] if "Samples per pixel" in block.text else ["+SC1", "+EC1", "+SR1", "+ER1"]
     code, said = run(povray, folder, path, [*options, *part])
     if code != 0:
@@ -108,7 +105,7 @@ def check_output(povray, block, folder):
 
 
 def rendered_command(command, names):
-    """Scene and options of a ./render command; None for another command or a placeholder."""
+    """Scene and options; None for another command or a placeholder."""
     try:
         words = shlex.split(command)
     except ValueError:
@@ -122,7 +119,6 @@ def rendered_command(command, names):
 
 
 def check_command(povray, place, command, names, folder):
-    """Renders the scene of a ./render command, small and with few rays."""
     wanted = rendered_command(command, names)
     if wanted is None:
         return []
@@ -138,7 +134,6 @@ def check_command(povray, place, command, names, folder):
 
 
 def check_page(povray, path):
-    """All messages of a page, and its numbers of examples, outputs and commands."""
     name, text = str(path.relative_to(ROOT)), path.read_text()
     blocks = pages.blocks_of(name, text)
     examples = pages.examples_of(blocks)

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Links of the pages are not broken, and the programs in their commands exist."""
+"""Links of the pages are not broken, and commands name existing programs."""
 
 import argparse
 import os

@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The library's #include lines obey the table of docs/architecture.md, the camera does not need the speedups, README.md and
-docs/patching.md name every folder, and one class of some length joins the library to POV-Ray's tracing."""
+"""The #include lines and folders obey docs/architecture.md; one class joins the library to POV-Ray's tracing."""
 
 import collections
 import pathlib
@@ -19,13 +18,12 @@ PAGE = ROOT / "docs" / "architecture.md"
 
 
 def read_table(page):
-    """{folder: the folders and headers that its files may include} of a page's table."""
+    """{folder: folders and headers that its files may include}."""
     rows = re.findall(r"^\| `(\w+)/` \|.*\| (.*?) ?\|$", page, re.MULTILINE)
     return {folder: {folder, *re.findall(r"`([\w.]+)/?`", allowed)} for folder, allowed in rows}
 
 
 def faults(library, table):
-    """Violations of the table by files of the library, as sentences."""
     found = [f"{folder.name}/: no row of the table" for folder in library.iterdir() if folder.is_dir() and folder.name not in table]
     found += [f"{folder}/: a row of the table, but no folder" for folder in table if not (library / folder).is_dir()]
     for path in sorted(library.rglob("*.*")):
@@ -113,7 +111,7 @@ class Checker(unittest.TestCase):
 
 
 def folders_of(folder):
-    """Folders under version control, or all of an unpacked archive."""
+    """Under version control, or in an unpacked archive."""
     if (ROOT / ".git").exists() and shutil.which("git"):
         listed = subprocess.run(
             ["git", "ls-tree", "-d", "--name-only", "HEAD", f"{folder}/"], cwd=ROOT, capture_output=True, text=True, check=False
@@ -151,7 +149,6 @@ class Maps(unittest.TestCase):
 
 
 def same_names(paths):
-    """The names that several of the files have."""
     return sorted(name for name, count in collections.Counter(path.name for path in paths).items() if count > 1)
 
 

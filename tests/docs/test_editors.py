@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Manual, README, manual page and editors have the items of the parser's table, with its values, units and ranges. Completion offers the
-right words, snippets render, and Vim colours the words (if Vim with its syntax files is installed)."""
+"""Manual, manual page and editors have the parser's items, values, units and ranges; Vim (if installed) colours them."""
 
 import argparse
 import functools
@@ -26,14 +25,12 @@ SETTINGS = argparse.Namespace(povray="povray", parser=None)
 BATCH_KINDS = re.compile(r"(\w+(?:\|\w+)+)")
 
 
-# how the manual's table names the units of values
 UNITS = {"MM": "millimetres", "DEG": "degrees", "UNITS": "scene units", "PIXELS": "pixels"}
 FOCUS_AIDS = ("focus_peaking", "focus_map", "show_planes")  # in a table of their own
 
 
 @functools.cache
 def table():
-    """The parser's table of items."""
     return items.items(SETTINGS.parser)
 
 
@@ -46,7 +43,6 @@ def manual():
 
 
 def ranged():
-    """(item, range) for each range of a number."""
     return [(item, number.range()) for item in table() for number in item.numbers[:1] if number.range()]
 
 
@@ -55,14 +51,11 @@ def grammar():
 
 
 def snippets():
-    """{name: text with its placeholders filled in}."""
     table = json.loads((EDITORS / "vscode" / "snippets" / "tilt-lens.json").read_text())
     return {name: re.sub(r"\$\{\d+:([^}]*)\}", r"\1", "\n".join(entry["body"])) for name, entry in table.items()}
 
 
 class SameItems(unittest.TestCase):
-    """A new item of the parser must be added in all these places."""
-
     def check(self, place, found):
         self.assertEqual(sorted(found), words(), f"{place} does not have the items of the parser")
 
@@ -239,7 +232,7 @@ class Completion(unittest.TestCase):
 
 @unittest.skipUnless(shutil.which("vim"), "Vim is not installed")
 class Vim(unittest.TestCase):
-    # below each line its highlight groups: I item, B the block's word, M macro, E an error, . none of ours
+    # highlight groups below each line: I item, B the block's word, M macro, E an error, . none of ours
     SCENE = """#declare tilt = 3;
          .
 camera { tilt_lens { tilt tilt focal_plane { y, tilt } swing 2 } angle tilt }

@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Pictures of the manual and drawings of the optics agree with tools/docs/figures.py: each picture has its scene
-and is shown, each drawing is the output of its script, and each lens has its portraits."""
+"""The manual's pictures have their scenes, drawings are the output of their scripts, each lens has its portraits."""
 
 import pathlib
 import re
@@ -55,7 +54,7 @@ class Portraits(unittest.TestCase):
 
 
 def drawn_by(svg):
-    """The version of gnuplot that drew a picture. Other versions write the same lines differently."""
+    """Other versions of gnuplot write the same lines differently."""
     return re.search(r"Produced by (GNUPLOT [^<]*\S)", svg)[1]
 
 

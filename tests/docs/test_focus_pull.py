@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Focus pulls by the macros of tilt_lens_pull.inc: each film is rendered, and the lens that the program reports for each frame is checked."""
+"""Focus pulls by tilt_lens_pull.inc: the lens reported for each frame."""
 
 import itertools
 import math
@@ -16,9 +16,9 @@ EYE = "<0, 1.6, -6>"
 POINT = f"focal_point Tilt_Lens_Pull_Point(clock, {EYE}) "
 PULL = f"Tilt_Lens_Pull(clock, {EYE})"
 
-# From an upright plane through infinity to a plane that leans backward; swing to the left.
+# an upright plane through infinity to one that leans backward; swing to the left
 ANGLES = ((0, 2.8, 0, 0, (0, 1, -2)), (0.3, 4, 6, 0, (0, 0, 2)), (0.7, 16, -4, 3, (3, 2, 40)), (1, 5.6, 8, -5, (-1, 0.2, -3)))
-# From a plane parallel to the film to the ground, then to a wall on the left.
+# parallel to the film, then the ground, then a wall on the left
 PLANES = (
     (0, 2.8, (0, 0, 0), (0, 2, 0), (1, 0, 0)),
     (0.4, 5.6, (0, 0, 0), (0, 0, 9), (1, 0, 0)),
@@ -35,7 +35,6 @@ def keys(macro, rows):
 
 
 def film(before, camera, frames, eye=EYE):
-    """The lens of each frame of a film; clock goes from 0 to 1."""
     rendering.SETTINGS.library = [FOLDER]
     scene = f"{INCLUDE}{before}camera {{ {RIGHT}blur_samples 1 location {eye} look_at <0, 1, 2> {camera} }}\n{WORLD}"
     job = rendering.Job(scene, ("-F", "+KFI0", f"+KFF{frames - 1}"), width=8, height=6)
@@ -48,13 +47,12 @@ def film(before, camera, frames, eye=EYE):
 
 
 def plane(lens, eye=(0, 1.6, -6)):
-    """The plane of sharp focus as the vector that blur is linear in: its normal divided by its distance from the lens."""
+    """The vector in which blur is linear: the plane's normal divided by its distance from the lens."""
     distance = sum(n * (p - e) for n, p, e in zip(lens.normal, lens.point, eye))
     return [n / distance for n in lens.normal]
 
 
 def greatest_step(lenses):
-    """The greatest step of the plane between two frames over its whole way."""
     steps = [math.dist(plane(a), plane(b)) for a, b in itertools.pairwise(lenses)]
     return max(steps) / sum(steps)
 
@@ -68,7 +66,7 @@ class FocusPull(rendering.RenderTest):
     )
 
     def test_the_plane_never_jumps(self):
-        """With twice as many frames, the greatest step is half as long; a jump would stay."""
+        """Twice as many frames halve the greatest step; a jump would stay."""
         for (macro, rows, camera), ease in itertools.product(self.CAMERAS, ("yes", "no")):
             before = f"#declare Tilt_Lens_Ease = {ease};\n{keys(macro, rows)}"
             coarse, fine = (greatest_step(film(before, camera, frames)) for frames in (26, 51))
@@ -76,7 +74,6 @@ class FocusPull(rendering.RenderTest):
             self.assertLess(fine / coarse, 0.6, f"{camera}: steps of {coarse} and {fine}")
 
     def test_keys_are_met(self):
-        """The lens at the time of each key, in a film of ten intervals."""
         for macro, rows, camera in self.CAMERAS:
             lenses = film(keys(macro, rows), camera, 11)
             for row in rows:
@@ -89,7 +86,6 @@ class FocusPull(rendering.RenderTest):
                     self.assertEqual(lens.turn, list(row[2:4]), f"{camera}\n{lens.said}")
 
     def test_between_two_keys(self):
-        """A straight line in vergence, angles and stops, in the middle also with ease."""
         before = keys("Tilt_Lens_Key", ((0, 2, 0, 4, (0, 1.6, -4)), (1, 8, 6, -2, (0, 1.6, 2))))
         camera = f"look_at <0, 1.6, 0> {POINT}tilt_lens {{ focal_length 50 {PULL} }}"
         for ease, weights in (("no", (0, 0.25, 0.5, 0.75, 1)), ("yes", (0, 0.15625, 0.5, 0.84375, 1))):
@@ -101,7 +97,7 @@ class FocusPull(rendering.RenderTest):
                 self.assertLess(abs(lens.aperture[0] / (2 * 4**weight) - 1), 1e-3, lens.said)
 
     def test_planes_stay_between_the_keys(self):
-        """The plane of each frame is on the straight line between those of two keys, and moves in one direction."""
+        """Each plane lies on the straight line between two keys, and moves in one direction."""
         first, second = ((-1, 0, 0), (-1, 2, 0), (1, 0, 0.5)), ((0, 0, 0), (1, 0, 4), (-2, 0.3, 3))
         lenses = film(keys("Tilt_Lens_Key_Points", ((0, 4, *first), (1, 4, *second))), f"angle 40 tilt_lens {{ {PULL} }}", 26)
         begin, end = plane(lenses[0]), plane(lenses[-1])
@@ -114,7 +110,7 @@ class FocusPull(rendering.RenderTest):
             passed = from_begin
 
     def test_a_moving_camera(self):
-        """Keys are points of the scene: they are sharp wherever the camera has gone."""
+        """Keys are points of the scene, wherever the camera is."""
         eye = "<clock, 1.6, -6 + 2*clock>"
         lenses = film(
             keys("Tilt_Lens_Key_Points", ((0.2, 4, *PLANES[1][2:]), (0.5, 4, *PLANES[2][2:]))),
@@ -143,7 +139,6 @@ class FocusPull(rendering.RenderTest):
             self.assertLess(lens.off_plane(point), 1e-5, lens.said)
 
     def test_refusals(self):
-        """Each fault is refused with the macro, the value found and the remedy."""
         view = f"location {EYE} look_at 0 "
         block = f"tilt_lens {{ {PULL} }}"
         angles, planes = keys("Tilt_Lens_Key", ANGLES), keys("Tilt_Lens_Key_Points", PLANES)
@@ -206,7 +201,6 @@ class FocusPull(rendering.RenderTest):
             self.assertRegex(said, r"File 'scene\.pov' line \d+: Parse Error", "the place is that of the call")
 
     def test_wrong_kinds(self):
-        """A value of another type is refused in the scene's own file and line."""
         for before, words in (
             ("Tilt_Lens_Key(0, 4, <1, 2, 3>, 0, 0)", "Tilt_Lens_Key: Tilt is a point <x, y, z>. It must be a number"),
             ('Tilt_Lens_Key(0, 4, 0, 0, "tree")', "Tilt_Lens_Key: Subject is a text. It must be a point"),

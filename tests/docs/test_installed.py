@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The documentation installed by "cmake --install": pages without broken links, and manual pages that groff formats without a warning."""
+"""Documentation installed by "cmake --install": no broken links, no warnings of groff."""
 
 import argparse
 import pathlib
@@ -21,7 +21,6 @@ NOT_INSTALLED = re.compile(r"(\.\./)?(cmake|tests|experiments|benchmarks|povray-
 
 
 def formatted(page):
-    """A manual page as plain text, and groff's complaints."""
     done = subprocess.run(
         ["groff", "-ww", "-man", "-Tutf8", "-P-cbou", str(page)], capture_output=True, text=True, timeout=PATIENCE, check=True
     )
@@ -118,7 +117,6 @@ class Installed(unittest.TestCase):
             self.assertIn(words.lower().rstrip("."), manual.replace("`", "").lower())
 
     def parses(self, camera):
-        """Exit code of the installed program for a scene with this camera."""
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as folder:
             (pathlib.Path(folder) / "scene.pov").write_text(f"#version 3.7;\n{camera}\nsphere {{ 0, 1 }}\n")
             command = povray_run.command(self.prefix / "bin" / "povray", "scene.pov", None, (8, 6))

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The macros of tilt_lens.inc, checked by the lens report and by pictures."""
+"""The macros of tilt_lens.inc: lens report and pictures."""
 
 import math
 import pathlib
@@ -40,12 +40,10 @@ class Lens:
             setattr(self, name, numbers(match) if match else None)
 
     def off_plane(self, point):
-        """Distance of a point from the plane of sharp focus, relative to the distances involved."""
         along = sum(n * (p - q) for n, p, q in zip(self.normal, point, self.point))
         return abs(along) / (1 + max(abs(v) for v in [*point, *self.point]))
 
     def point_distance(self, eye):
-        """Distance of the plane's point on the axis from the lens."""
         return math.dist(self.point, eye)
 
 
@@ -81,7 +79,6 @@ class Macros(rendering.RenderTest):
         self.assertLessEqual(abs(found - expected), relative * max(abs(expected), 1e-3), f"{what}: found {found:g}, expected {expected:g}")
 
     def test_formats(self):
-        """Widths follow from the sides in the manual's table, for pictures of several proportions."""
         rows = table(ROOT / "docs" / "manual.md", "#### Film formats")
         self.assertGreaterEqual(len(rows), 8)
         say = "".join(f'#debug concat("{name} ", str(Tilt_Lens_Film_Width({name}), 0, 6), "\\n")\n' for name, _, _ in rows)
@@ -93,12 +90,12 @@ class Macros(rendering.RenderTest):
                 self.assert_close(found, min(sides[0], sides[1] * width / height), 1e-5, f"{name}, {width} x {height}")
 
     def test_film_width_reaches_the_lens(self):
-        """An angle of 90 degrees has the film half its width away."""
+        """At 90 degrees, the film is half its width away."""
         lens = report(self.VIEW + "angle 90 tilt_lens { film_width Tilt_Lens_Film_Width(Tilt_Lens_Film_4x5) f_stop 8 }", size=(24, 36))
         self.assert_close(lens.focal[1], 127 * 24 / 36 / 2, 1e-4, "film's distance")
 
     def test_lenses(self):
-        """Values of the manual's table; warnings beyond its limits only."""
+        """The manual's table; warnings beyond its limits only."""
         rows = table(ROOT / "docs" / "manual.md", "#### Lenses")
         self.assertEqual(len(rows), 9)
         for macro, _, focal, stop, tilt, shift in rows:
@@ -125,7 +122,7 @@ class Macros(rendering.RenderTest):
                 self.assertIn(words, said, macro)
 
     def test_lenses_of_glass(self):
-        """Values of the manual's table, stopped down and wide open; each file has a macro."""
+        """The manual's table, stopped down and wide open."""
         rows = table(ROOT / "docs" / "manual.md", "#### Lenses of glass")
         text = (ROOT / "scenes" / "include" / "tilt_lens.inc").read_text()
         files = {path.name for path in (ROOT / "scenes" / "include" / "lenses").iterdir()} - {"lenses.csv"}
@@ -133,7 +130,7 @@ class Macros(rendering.RenderTest):
         self.assertEqual(len(rows), len(files))
         for macro, _, focal, stop in rows:
             focal, stop = (float(words.split()[0].lstrip("f/")) for words in (focal, stop))
-            # for a distant focus: nearer, lenses that move groups of glass have other numbers
+            # distant focus: nearer, moving groups change the numbers
             lens = report(f"{self.VIEW} focal_point <0, -1e5, 6e5> {macro}(1000, 0, 1, 0, <0, 0>)")
             self.assert_close(lens.focal[0], focal, 2e-4, macro)
             self.assert_close(lens.aperture[0], stop, 1e-3, macro)
@@ -156,7 +153,7 @@ class Macros(rendering.RenderTest):
         camera = self.VIEW + "Tilt_Lens_Canon_TS_E_24(1000, 4, 0, 0, <0, 0>) "
         for film, width in (("Full_Frame", 36), ("APS_C", 15.6 * 1.5)):
             lens = report(camera, f"#declare Tilt_Lens_Film = Tilt_Lens_Film_{film}", size=(36, 24))
-            # the depth of field is for a blur of one pixel, which scales with the film's width
+            # for a blur of one pixel, which scales with the film's width
             blur = lens.aperture[1] * (1 / lens.range[0] - 1 / lens.point_distance((0, 2, -6))) / 1000 * lens.focal[1]
             self.assert_close(blur, width / 36, 1e-3, film)
 
@@ -167,7 +164,6 @@ class Macros(rendering.RenderTest):
             self.assertEqual(lens.turn[0] > 0, hinge > 0)
 
     def test_ground_tilt(self):
-        """Lens 340 mm above a ground, looking at a point of it."""
         pitch = math.degrees(math.atan2(340, 1000))
         lens = report(
             "location <0, 34, -100> look_at 0 tilt_lens { focal_length 50 f_stop 4 scene_unit 10 "
@@ -178,8 +174,7 @@ class Macros(rendering.RenderTest):
             self.assertLess(lens.off_plane(point), 1e-4, f"{point}\n{lens.said}")
 
     def test_hyperfocal(self):
-        """Slightly beyond that distance, depth of field extends from half of it to infinity; slightly nearer, it
-        does not."""
+        """Beyond that distance, depth of field extends from half of it to infinity; nearer, it does not."""
         for factor in (1.001, 0.999):
             lens = report(
                 "location 0 look_at z "
@@ -192,7 +187,6 @@ class Macros(rendering.RenderTest):
             self.assert_close(lens.range[0], expected / 2, 2e-3, "near limit")
 
     def test_turned(self):
-        """The normal of the lens leans by the angle, in the direction of the rotation."""
         for angle, rotation in ((6, 0), (6, 90), (-4, 30), (8, 135), (5, -60)):
             lens = report(f"{self.VIEW}tilt_lens {{ f_stop 4 Tilt_Lens_Turned({angle}, {rotation}) }}")
             tilt, swing = (math.tan(math.radians(v)) for v in lens.turn)
@@ -227,7 +221,6 @@ class Macros(rendering.RenderTest):
             self.assertLess(lens.off_plane(point), 1e-4, lens.said)
 
     def test_near_far(self):
-        """For any positions left and right; the lens has no swing."""
         for near, far in (((-1, 0.2, 0), (4, 3, 20)), ((0.5, 1, 1), (0.5, 0, 9)), ((2, 2, 5), (-3, 0, 12))):
             places = [f"<{p[0]}, {p[1]}, {p[2]}>" for p in (near, far)]
             lens = report(
@@ -240,7 +233,6 @@ class Macros(rendering.RenderTest):
                 self.assertLess(lens.off_plane(point), 1e-4, lens.said)
 
     def columns(self, camera):
-        """Columns of two vertical poles, at the top and at the bottom, and of a ball's centre."""
         poles = "".join(
             f"cylinder {{ <{x}, -50, 0>, <{x}, 50, 0>, 0.1 pigment {{ rgb {colour} }} finish {{ emission 1 }} }}\n"
             for x, colour in ((-5, "x"), (5, "z"))
@@ -262,7 +254,6 @@ class Macros(rendering.RenderTest):
         return rows, middle
 
     def test_upright(self):
-        """Poles are vertical, and the look_at point is in the centre."""
         eye, top = "<0, 1.7, -22>", "<0, 9, 0>"
         for camera in (
             f"Tilt_Lens_Upright({eye}, {top}, 50, 1000, 0)",
@@ -282,8 +273,6 @@ class Macros(rendering.RenderTest):
         self.assertIn("mm; the real one stops at 12.0", said)
 
     def test_product(self):
-        """Vertical edges are vertical, the point to look at is in the middle, and both points are sharp without a
-        swing."""
         for eye, near, far in (((0, 20, -16), (0, 0, -4), (0, 14, 3)), ((3, 16, -22), (-2, 1, -3), (4, 9, 6))):
             places = [f"<{p[0]}, {p[1]}, {p[2]}>" for p in (eye, near, far)]
             camera = f"Tilt_Lens_Product({places[0]}, <0, 9, 0>, {places[1]}, {places[2]}, 60, 1000, 16)"
@@ -297,7 +286,6 @@ class Macros(rendering.RenderTest):
             self.assertLess(math.dist(middle, (80, 60)), 0.2, f"{camera}: the ball is at {middle}")
 
     def test_ring(self):
-        """The plane at that distance from the film, the f-stop, the shift, and the warnings."""
         for focal, name in ((24, "TS_24"), (90, "TS_90")):
             lens = report(f"{self.VIEW}Tilt_Lens_Real_Ring(Tilt_Lens_{name}, 100, 8, 0, 0, <2, -3>, 15)")
             self.assert_close(lens.point_distance((0, 2, -6)) + lens.focal[1] / 100, 15, 1e-4, "the distance on the ring")
@@ -308,7 +296,6 @@ class Macros(rendering.RenderTest):
             self.assertIn(words, said)
 
     def test_refusals(self):
-        """Each message has the macro, the fault and the allowed values."""
         eye = "location <0, 2, -6> look_at 0 "
         for camera, words in (
             (eye + "Tilt_Lens_Miniature(<0, 2, -6>, 0, 0)", "Tilt_Lens_Miniature: Strength is 0.0000. It must be larger"),
@@ -346,7 +333,6 @@ class Macros(rendering.RenderTest):
             self.assertIn("File 'scene.pov' line 4: Parse Error", said, "the place is that of the call")
 
     def test_wrong_kinds(self):
-        """A value of another type is refused at its place, with macro, argument and the allowed type."""
         for camera, words in (
             (
                 "Tilt_Lens_Canon_TS_E_24(1000, 5.6, 0, 0, 8)",
@@ -373,7 +359,7 @@ class Macros(rendering.RenderTest):
         self.assertNotIn("Warning:", report(view, "#declare Tilt_Lens_Sky = z;").said)
 
     def test_facade(self):
-        """The rectangle fills the picture, all of it sharp, from any camera."""
+        """All of the rectangle is sharp, from any camera."""
         corners = "".join(
             f"sphere {{ <{x}, {y}, 3>, 0.3 pigment {{ rgb {colour} }} finish {{ emission 1 }} }}\n"
             for x, y, colour in ((-4, 1, "x"), (12, 1, "y"), (-4, 10, "z"))
@@ -401,7 +387,6 @@ class Macros(rendering.RenderTest):
             self.assertIn(words, said, f"{camera}: {said}")
 
     def test_facade_in_cameras_of_both_hands(self):
-        """The corners are as seen by the camera, for any directions of right and sky."""
         rendering.SETTINGS.library = [povray_run.INCLUDE]
         for upward, forward, hand in (("y", "z", "x"), ("y", "-z", "-x"), ("z", "y", "-x"), ("z", "-y", "x")):
 

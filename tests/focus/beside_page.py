@@ -1,10 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Common to the tests of two lenses side by side."""
-
 from tests.focus.harness import PageTest
 
-# Name, numbers and blurs of the figures of the shown and of the other lens.
+# Name, numbers and blurs of both lenses.
 FIGURES = """
 return ["figures", "other-figures"].map(id => {
     const place = document.getElementById(id);
@@ -14,10 +12,8 @@ return ["figures", "other-figures"].map(id => {
 
 
 class BesidePage(PageTest):
-    """A test with two lenses."""
-
     def open_pair(self, scene=None):
-        """Lens A through the three towers, lens B another one, side by side; B is shown."""
+        """Lens A through the three towers, lens B another; B is shown."""
         self.open(scene or self.scene())
         self.set_number("fStop", 0.7)
         self.pick_towers()

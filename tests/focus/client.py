@@ -21,8 +21,6 @@ EXPECTED = {
 
 
 class Page:
-    """One page at its socket."""
-
     def __init__(self, socket):
         self.socket = socket
         self.tiles = 0
@@ -30,11 +28,9 @@ class Page:
         self.view = None  # the scene's camera
 
     async def ask(self, what, **parts):
-        """Sends a request."""
         await self.socket.send_str(json.dumps({"do": what, **parts}))
 
     async def told(self, kind, *states):
-        """Waits for a message, in one of these states."""
         async with asyncio.timeout(PATIENCE):
             while True:
                 message = await self.socket.receive()
@@ -52,23 +48,19 @@ class Page:
                     return found
 
     async def closed(self):
-        """Waits until the connection is closed; returns its code."""
         async with asyncio.timeout(PATIENCE):
             while (await self.socket.receive()).type.name in ("TEXT", "BINARY"):
                 pass
         return self.socket.close_code
 
     def camera(self):
-        """The scene's camera as the page sends it."""
         return {name: self.view[name] for name in ("location", "direction", "right", "up")}
 
     def render(self, **parts):
-        """A request for a small true picture."""
         whole = {"size": SIZE, "quality": 0, "camera": self.camera(), "block": PLANE, "items": {}}
         return self.ask("render", **{**whole, **parts})
 
     def write(self, **parts):
-        """A request to write a block into the scene."""
         expect = {"block": EXPECTED, "camera": self.camera()}
         whole = {"block": PLANE, "items": {}, "expect": expect, "behind": {"block": PLANE, "expect": expect}}
         return self.ask("write", **{**whole, **parts})
@@ -76,7 +68,6 @@ class Page:
 
 @contextlib.asynccontextmanager
 async def page_at(address, **options):
-    """Opens a socket as the page at an address does."""
     import aiohttp
 
     async with aiohttp.ClientSession() as client:
@@ -86,20 +77,16 @@ async def page_at(address, **options):
 
 
 class ClientTest(FocusTest):
-    """A test that communicates with the program as its page does."""
-
     def gated(self, text=SCENE):
-        """A scene whose parse does not end while the file `closed` exists."""
+        """The parse does not end while the file `closed` exists."""
         gate = self.folder / "closed"
         return text + f'#while (file_exists("{gate}")) #end\n', gate
 
     def scratch(self):
-        """The program's folder."""
         (found,) = (self.folder / "tmp").glob("focus-*")
         return found
 
     def left(self):
-        """Files in the temporary folder, and processes that work in the test's folder."""
         found = list((self.folder / "tmp").iterdir())
         for name in filter(str.isdigit, os.listdir("/proc")):
             with contextlib.suppress(OSError):

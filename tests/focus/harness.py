@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Common to the tests of ./focus: scenes, calls of the command, a browser with its page."""
+"""Shared by the tests of ./focus."""
 
 import argparse
 import asyncio
@@ -21,7 +21,7 @@ from tools.repository import ROOT
 
 SETTINGS = argparse.Namespace(povray=None, cases=None)
 
-# A floor, three towers whose tops are at different heights, and a wall behind; no lens.
+# A floor, three towers of different heights, a wall; no lens.
 SCENE = """#version 3.7;
 global_settings { assumed_gamma 1 }
 camera {
@@ -37,7 +37,7 @@ box { <-2.4, 0, -2>, <-1.4, 0.6, -1> pigment { rgb <0.9, 0.4, 0.1> } }
 box { <1.2, 0, 0>, <2.2, 1.2, 1> pigment { rgb <0.2, 0.7, 0.3> } }
 box { <-0.8, 0, 2>, <0.4, 2, 3> pigment { rgb <0.8, 0.8, 0.2> } }
 """
-# As an exporter writes it: the camera at the origin, placed by a matrix.
+# As an exporter writes it: placed by a matrix.
 EXPORTED = """#version 3.7;
 global_settings { assumed_gamma 1 }
 camera {
@@ -56,8 +56,7 @@ TOWERS = ((-0.41, -0.41), (0.28, -0.055), (-0.03, 0.3))  # places in the picture
 SMALL = ("+W160", "+H90")
 
 
-# Consistency of knobs and points: knobs that differ from the lens, and the points' distance from the plane of sharp focus. While the wanted
-# lens is impossible, the last lens is shown and the points wait.
+# Knobs that differ from the lens, and the points' distance from the plane of sharp focus. An impossible lens keeps the last one.
 ONE_LENS = """
 const model = focusPage.model, { lens, block } = model, found = model.numbers(), wrong = [];
 const numbers = {
@@ -73,7 +72,7 @@ const wanted = model.picks.length === model.wantedPicks && !model.error ? model.
 return [...wrong, ...wanted.map(p => model.offPlane(p)).filter(off => !(Math.abs(off) < 1e-6)).map(off => `a point is off by ${off}`)];
 """
 
-# Root mean square differences of the live and the true picture, relative to white: with and without blur.
+# Root mean square differences, relative to white, with and without blur.
 DIFFERENCE = """
 const truth = focusPage.truePixels();
 const rmse = show => {
@@ -85,7 +84,7 @@ return { rmse: rmse({}), sharp: rmse({ blur: false }) };
 
 
 class FocusTest(WaitingTest):
-    """A test in a folder of its own, whose name contains a space."""
+    """Its folder's name contains a space."""
 
     longMessage = True
 
@@ -102,11 +101,9 @@ class FocusTest(WaitingTest):
         return path
 
     def with_lens(self, block):
-        """The scene with a block of its own."""
         return self.scene(SCENE.replace("  angle 45\n", f"  angle 45\n  {block}\n"))
 
     def start(self, scene, *words, idle=120, **variables):
-        """Calls ./focus, with more environment variables; returns the address that it prints."""
         command = [str(ROOT / "focus"), str(scene), "--idle", str(idle), "--povray", SETTINGS.povray]
         said = open(self.folder / "errors", "wb")
         self.addCleanup(said.close)
@@ -128,11 +125,10 @@ class FocusTest(WaitingTest):
         self.fail(f"no address: {self.evidence()}")
 
     def evidence(self):
-        """The command's standard error."""
         return (self.folder / "errors").read_text(errors="replace")
 
     def end(self, number=signal.SIGINT):
-        """Ends the command as Ctrl-C does; returns its exit code."""
+        """Sends the signal of Ctrl-C."""
         if self.process.poll() is None:
             os.killpg(self.process.pid, number)
         try:
@@ -145,7 +141,7 @@ class FocusTest(WaitingTest):
 
 
 def rendered(scene, folder, size, *words):
-    """Colours and layers of a render of this scene: name -> rows, columns and, for "colours", red, green, blue."""
+    """{name: rows, columns and, for "colours", red, green, blue}."""
     import numpy
 
     found = {}
@@ -169,7 +165,7 @@ def open_browser(size=(1280, 1000)):
 
     options = webdriver.ChromeOptions()
     options.binary_location = "/usr/bin/chromium"
-    # its sandbox needs rights that neither root nor a user in a chroot has; the pages are our own
+    # its sandbox needs rights that neither root nor a user in a chroot has
     words = ["--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-dev-shm-usage"]
     words += ["--hide-scrollbars", f"--window-size={size[0]},{size[1]}"]
     for word in words:
@@ -182,7 +178,7 @@ def open_browser(size=(1280, 1000)):
 
 
 class PageTest(FocusTest):
-    """A test with the page open in a browser, which the tests of a module share."""
+    """The tests of a module share the browser."""
 
     browser = None
 
@@ -196,53 +192,45 @@ class PageTest(FocusTest):
             cls.browser.quit()
 
     def open(self, scene, *words):
-        """Opens the page of a scene and waits for its picture; returns its address."""
         address = self.start(scene, *(words or SMALL))
         self.browser.get(address)
         self.until("the preview", self.drawn)
         return address
 
     def drawn(self):
-        """True if the whole preview has arrived and been drawn once."""
         return self.run("const live = window.focusPage?.live; return live?.complete && live.passes > 0")
 
     def smooth(self):
-        """Waits until further passes would not change the live picture."""
         self.until("the smooth picture", lambda: self.run("return focusPage.live.complete && focusPage.live.smooth"))
 
     def true_picture(self, width):
-        """Requests the true picture and waits for it."""
         self.run("document.getElementById('width').add(new Option(arguments[0], arguments[0], true, true))", str(width))
         self.press("#render")
         self.until("the true picture", lambda: "Done" in self.text("true-said"))
 
     def difference(self, width):
-        """Differences between the true picture, made now, and the live one."""
         self.true_picture(width)
         self.smooth()
         return self.run(DIFFERENCE)
 
     def choose(self, name, value):
-        """Chooses from a list of the page."""
         script = "const s = document.getElementById(arguments[0]); s.value = arguments[1]; s.dispatchEvent(new Event('change'))"
         self.run(script, name, str(value))
 
     def run(self, script, *arguments):  # pylint: disable=arguments-differ
-        """Runs a script in the page; without a script, runs the test as TestCase.run does."""
+        """Without a script, runs the test as TestCase.run does."""
         if isinstance(script, str):
             return self.browser.execute_script(script, *arguments)
         return super().run(script)
 
     def element(self, name):
-        """An element of the page by its id."""
         return self.browser.find_element("id", name)
 
     def press(self, selector):
-        """Clicks the element of a selector, wherever it lies on the page."""
         self.run("document.querySelector(arguments[0]).click()", selector)
 
     def click_at(self, x, y):
-        """Clicks the picture at x and y of the film, right and up from -0.5 to 0.5."""
+        """x, y: right and up on the film, from -0.5 to 0.5."""
         from selenium.webdriver import ActionChains
 
         picture = self.element("picture")
@@ -253,7 +241,6 @@ class PageTest(FocusTest):
         ).click().perform()
 
     def pick_towers(self):
-        """Clicks the three towers; returns the picked points."""
         self.press("input[name=mode][value=three]")
         for x, y in TOWERS:
             self.click_at(x, y)
@@ -262,26 +249,22 @@ class PageTest(FocusTest):
         return picks
 
     def set_number(self, name, value):
-        """Types a number into a knob."""
         script = "const e = document.getElementById(arguments[0]); e.value = arguments[1]; e.dispatchEvent(new Event('change'))"
         self.run(script, name, str(value))
 
     def text(self, name):
-        """An element's text."""
         return self.run("return document.getElementById(arguments[0]).textContent", name)
 
     def message(self):
-        """The error on the page, if any."""
         return self.run("const m = document.getElementById('message'); return m.hidden ? '' : m.textContent")
 
     def console(self):
-        """Errors and warnings of the browser's console, except those about software rendering."""
+        """Messages except those about software rendering."""
         log = self.browser.get_log("browser")
         return [entry["message"] for entry in log if "GPU stall due to ReadPixels" not in entry["message"]]
 
 
 def read_settings():
-    """Parses the paths of the programs; returns the rest of the command line."""
     arguments = argparse.ArgumentParser(add_help=False)
     arguments.add_argument("--povray", required=True)
     arguments.add_argument("--cases", help="the program lens_cases")
@@ -291,7 +274,6 @@ def read_settings():
 
 
 def main(prefix="test"):
-    """Runs the tests of the calling module: the methods whose names begin with the prefix."""
     loader = unittest.TestLoader()
     loader.testMethodPrefix = prefix
     unittest.main(module="__main__", argv=[sys.argv[0], *read_settings()], testLoader=loader)

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file lens_cases.cpp
-/// Prints random cameras, their lenses and blur in pixels by the library, as JSON, for comparison with the page's formulas:
-/// lens_cases SEED COUNT.
+/// Prints random cameras, their lenses and blur in pixels, as JSON: lens_cases SEED COUNT.
 
 #include <cstdlib>
 #include <iomanip>
@@ -58,8 +57,7 @@ void PrintBlock(std::ostream& out, const Statement& s)
     out << "]}";
 }
 
-/// A request for points about the plane of focus of another request: from far off it to nearly on it, sometimes some in one place or
-/// nearly on one line.
+/// Points from far off the plane of focus to nearly on it, sometimes coincident or nearly on one line.
 Request WithSharpPoints(const Request& other, Random& random)
 {
     Request request = other;
@@ -78,7 +76,6 @@ Request WithSharpPoints(const Request& other, Random& random)
     return request;
 }
 
-/// The next random request of any family, and its lens.
 Request NextRequest(int number, Random& random, Lens& lens)
 {
     const FocusFamily family = FocusFamily(number % 5);
@@ -96,14 +93,13 @@ Request NextRequest(int number, Random& random, Lens& lens)
         {
             continue;
         }
-        // a plane that nearly passes through the lens has a k of which too few digits count
+        // a plane nearly through the lens has a k with too few digits
         const double distance = Length(request.given.sharpPoints[0] - request.camera.location);
         if (CouldBeBuilt(lens) && Length(lens.focus) * distance < kLargestFocus)
             return request;
     }
 }
 
-/// Prints the blur of the sharp points, the f-number that holds them within a pixel, and the blur without a tilt.
 void PrintSharpPoints(std::ostream& out, const Request& request, const Lens& lens)
 {
     const double pixels = kWidth / request.given.filmWidth;
@@ -118,7 +114,6 @@ void PrintSharpPoints(std::ostream& out, const Request& request, const Lens& len
     List{out}("stopWithinPixel", WithWidestStop(request.camera, held).fStop)("blurWithoutTilt", without ? *without * pixels : HUGE_VAL);
 }
 
-/// Blur of surface points all over the picture, near the plane of sharp focus and far from it.
 void PrintBlur(std::ostream& out, const Lens& lens, Random& random)
 {
     out << ", \"blur\": [";

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Measures the page, writes the tables of docs/focus.md and takes its pictures:
 
-    /usr/bin/python3 run_module.py tests.focus.measure --povray build/bin/povray [Measure.make_times]
+/usr/bin/python3 run_module.py tests.focus.measure --povray build/bin/povray [Measure.make_times]
 
-Times are those of headless Chromium with graphics done by the processor, on this machine as it is: on a busy one they say little."""
+Times are those of headless Chromium with software rendering; on a busy machine they say little."""
 
 import os
 import re
@@ -26,14 +26,14 @@ SET_CLOCK = (
 )
 CLICKS = 12
 STARTS = 3  # of each scene; the median is reported
-# Milliseconds from a click to its first blurred picture: until it is drawn, and until the browser's next frame, by which it is visible.
+# Milliseconds from a click until its first blurred picture is drawn, and until the browser's next frame shows it.
 TIME_A_CLICK = """
 const done = arguments[2], picture = document.getElementById("picture"), box = picture.getBoundingClientRect(), begun = performance.now();
 picture.dispatchEvent(new MouseEvent("click", { clientX: box.left + (0.5 + arguments[0]) * box.width, clientY: box.top + (0.5 - arguments[1]) * box.height }));
 const shown = drawn => requestAnimationFrame(() => done([drawn, performance.now() - begun]));
 focusPage.nextDrawing().then(() => shown(performance.now() - begun));
 """
-# Turns the tilt for `seconds`, once per frame of the browser: frames per second, milliseconds of drawing, widths, and the width at rest.
+# Turns the tilt once per frame of the browser: frames per second, milliseconds of drawing, widths, width at rest.
 TURN = """
 const [seconds, done] = arguments, slider = document.querySelector("#tilt").previousElementSibling, work = [], widths = [];
 const canvas = document.getElementById("picture"), begun = performance.now();
@@ -55,10 +55,10 @@ requestAnimationFrame(step);
 
 
 class Measure(PageTest):
-    """Not a test of its own: it makes the page's figures."""
+    """Makes the page's figures; not a test."""
 
     def start_times(self, scene, *words):
-        """Seconds from the command to the page, to the first picture through the lens, and to the whole preview."""
+        """Seconds to the page, to the first picture through the lens, to the whole preview."""
         begun = time.monotonic()
         self.browser.get(self.start(scene, *words))
         page = time.monotonic() - begun
@@ -69,7 +69,6 @@ class Measure(PageTest):
         return page, first, time.monotonic() - begun
 
     def shot(self, name):
-        """Saves a screenshot."""
         shown = "const end = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(end)))"
         self.browser.execute_async_script(shown)
         time.sleep(0.3)  # a change of the page's size redraws
@@ -83,7 +82,6 @@ class Measure(PageTest):
         )
 
     def pictures(self):
-        """The page's pictures for the documents: its parts, dark, and on a phone."""
         self.shot("page")
         for name in ("map", "planes"):
             self.press(f"#show-{name}")
@@ -103,7 +101,6 @@ class Measure(PageTest):
         self.pull()
 
     def points(self):
-        """Five points, and the f-stop that holds them."""
         self.press("input[name=mode][value=one]")
         self.press("input[name=mode][value=more]")
         for place in POINTS:
@@ -112,7 +109,6 @@ class Measure(PageTest):
         self.shot("points")
 
     def beside(self):
-        """The same points with a lens without tilt."""
         self.press("#beside")
         self.press("input[name=pair][value=B]")
         for knob in ("tilt", "swing"):
@@ -122,7 +118,6 @@ class Measure(PageTest):
         self.press("#beside")
 
     def pull(self):
-        """Two marks of a focus pull."""
         self.press("#pull summary")
         for time_, place in ((0, POINTS[0]), (1, POINTS[2])):
             self.run(SET_CLOCK, time_)
@@ -139,7 +134,7 @@ class Measure(PageTest):
         self.pictures()
 
     def clicks(self):
-        """Milliseconds from each click to its picture: drawn, shown."""
+        """Milliseconds from each click: drawn, shown."""
         self.press("input[name=mode][value=one]")
         found = []
         for i in range(CLICKS):
@@ -163,7 +158,6 @@ class Measure(PageTest):
         self.put("times", [*self.words(clicks, turns), "", *heads, *rows])
 
     def words(self, clicks, turns):
-        """Text for measurements of clicks and turns."""
         drawn, shown = zip(*clicks)
         work = [time for turn in turns for time in turn["work"]]
         widths = [width for turn in turns for width in turn["widths"]]
@@ -189,7 +183,6 @@ class Measure(PageTest):
         self.put("differences", ["| scene | RMSE of the live picture | RMSE without blur |", "| --- | --- | --- |", *rows])
 
     def put(self, name, lines):
-        """Replaces the measurements in the page."""
         marked = re.compile(rf"(<!-- measured: tests/focus/measure.py, {name} -->\n).*?(<!-- end of {name} -->)", re.DOTALL)
         page, count = marked.subn(lambda m: m[1] + "\n".join(lines) + "\n" + m[2], PAGE.read_text())
         self.assertEqual(count, 1)

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The lens in the page's address: nothing is lost by a reload, Back, or a second tab."""
+"""Reload, Back and a second tab keep the lens in the page's address."""
 
 import base64
 import json
@@ -14,20 +14,16 @@ STATE = "return JSON.stringify(focusPage.model.state)"
 
 class Address(PageTest):
     def state(self):
-        """The user's choices on the page."""
         return json.loads(self.run(STATE))
 
     def kept(self):
-        """Reads the value in the address."""
         text = self.browser.current_url.partition("#")[2]
         return json.loads(base64.urlsafe_b64decode(text + "=" * (-len(text) % 4)))
 
     def said(self):
-        """The remark on the points."""
         return self.run("return document.querySelector('[data-said=points]').textContent")
 
     def choose_lens(self):
-        """A lens with all kinds of choices."""
         self.press("input[name=mode][value=more]")
         for x, y in PLACES:
             self.click_at(x, y)

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The live picture against the true one, in scenes of the tutorial."""
+"""The live picture against the true one, in tutorial scenes."""
 
 from tests.focus import harness
 from tests.focus.harness import ROOT, PageTest
@@ -14,7 +14,7 @@ class Agreement(PageTest):
                 found = self.difference(320)
                 self.assertLess(found["rmse"], 0.03, found)
                 self.assertLess(found["rmse"], 1.1 * found["sharp"], found)
-                # if the preview were not a pinhole's, this would be almost 0
+                # near 0 if the preview were not a pinhole's
                 self.assertGreater(found["sharp"], 0.5 * sharp, found)
                 self.press("input[name=mode][value=one]")
                 for knob, value in (("tilt", 0), ("swing", 0), ("fStop", 1)):

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Blocks with directives, and blocks from macros or other files: the new block goes into a second camera behind the first."""
+"""Where a block cannot be replaced, the new one goes into a second camera behind the first."""
 
 from tests.focus import harness
 from tests.focus.harness import SCENE, TOWERS, PageTest
@@ -11,24 +11,20 @@ QUALITY = "  angle 45\n  blur_samples 4\n"
 
 class Behind(PageTest):
     def with_items(self, items, before=""):
-        """The scene with more items in its camera, and text before it."""
         text = SCENE.replace("  angle 45\n", f"{QUALITY}  {items}\n").replace("camera {", f"{before}camera {{")
         return self.scene(text), text
 
     def write(self):
-        """Presses Write; returns the page's message."""
         self.press("#write")
         self.until("an answer", lambda: "ritten" in self.text("file-said"))
         return self.text("file-said")
 
     def focus_on_towers(self):
-        """Clicks the three towers and opens the lens."""
         self.pick_towers()
         self.set_number("fStop", 0.7)
         self.set_number("sceneUnit", 100)
 
     def check(self, scene):
-        """The program's blur at the places."""
         blur = harness.rendered(scene, self.folder, SIZE, "+N", f"+L{self.folder}")["blur"]
         for x, y in TOWERS:
             self.assertLess(abs(blur[int((0.5 - y) * SIZE[1]), int((x + 0.5) * SIZE[0])]), 0.3, f"{x}, {y}")

@@ -1,13 +1,12 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Two lenses side by side: each picture, its figures, and what a reload keeps."""
+"""Two lenses side by side: pictures and figures, and their state after a reload."""
 
 from tests.focus import harness
 from tests.focus.beside_page import FIGURES, BesidePage
 
 NUMBERS = "const { tilt, fStop } = focusPage.model.numbers(); return [Math.round(1000 * tilt) / 1000, fStop]"
 SHOWN = "return document.querySelector('input[name=pair]:checked').value"
-# Root mean square difference of two lists of pixels, relative to white.
 RMSE = "const rmse = (a, b) => Math.sqrt(a.reduce((sum, x, i) => sum + ((x - b[i]) / 255) ** 2, 0) / (a.length * 3 / 4));\n"
 
 

@@ -1,13 +1,11 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Two lenses side by side: the true picture of each, both frames in one preview, and the places of the pictures."""
-
 from tests.focus import harness
 from tests.focus.beside_page import BesidePage
 
 BOXES = "return ['stage', 'other-stage'].map(id => document.getElementById(id).getBoundingClientRect().toJSON())"
 OVER = "const { hidden, parentElement, className } = document.getElementById('truth'); return hidden ? '' : parentElement.id + className"
-# Number of corners of each picture that show the scene, and not the colour where the preview has nothing.
+# Corners that show the scene, not the colour of an empty preview.
 CORNERS = """
 const [width, height] = focusPage.live.size, nothing = [233, 233, 228];
 const corners = [0, width - 1, width * (height - 1), width * height - 1];

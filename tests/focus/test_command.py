@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The command ./focus: its browser, its port, wrong calls, options of animations."""
+"""The command ./focus: its browser, port, wrong calls, options of animations."""
 
 import socket
 import subprocess
@@ -14,7 +14,7 @@ from tools import povray_run
 
 class Command(harness.FocusTest):
     def stand_in(self):
-        """A stand-in for the browser that records its address: (starter, record)."""
+        """(starter, record of the address)."""
         script, opened = self.folder / "browser", self.folder / "opened"
         script.write_text(f'#!/bin/sh\necho "$1" >> "{opened}"\n')
         script.chmod(0o755)
@@ -22,7 +22,7 @@ class Command(harness.FocusTest):
 
     def test_opens_the_browser_with_a_display(self):
         browser, opened = self.stand_in()
-        # webbrowser splits its words, as a shell does
+        # webbrowser splits its words as a shell does
         variables = {"BROWSER": f"'{browser}' %s", "DISPLAY": ":99"}
         address = self.start(self.scene(), *SMALL, **variables)
         # the shell creates the file before it writes the line
@@ -48,7 +48,6 @@ class Command(harness.FocusTest):
         self.assertEqual(done.stderr.strip(), f"focus: cannot listen on port {port}: Address already in use")
 
     def call(self, *words):
-        """Calls ./focus and waits for its end."""
         command = [str(harness.ROOT / "focus"), *map(str, words), "--povray", SETTINGS.povray]
         return subprocess.run(
             command, cwd=self.folder, env=povray_run.user_environment(), capture_output=True, text=True, check=False, timeout=60

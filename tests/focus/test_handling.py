@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Handling of the page: points that are dragged, moved by keys, or a direction; the copied text; another width."""
+"""Dragged and moved points, directions, the copied text, another width."""
 
 import re
 
@@ -39,7 +39,6 @@ class Handling(PageTest):
         self.assertEqual(self.run("return focusPage.model.picks"), before)
 
     def is_smooth_at(self, width):
-        """Gives the page another width; True if the smooth picture stays smooth."""
         self.smooth()
         drawn = "return document.getElementById('side').viewBox.baseVal.width"
         before = self.run(drawn)
@@ -50,7 +49,7 @@ class Handling(PageTest):
     def test_another_width_of_the_page_leaves_the_picture_and_draws_the_side_view_anew(self):
         self.open(self.scene())
         self.addCleanup(self.browser.set_window_size, 1280, 1000)
-        # smooth edges of the preview may arrive meanwhile, but not again and again
+        # edges may become smooth meanwhile, but not again and again
         self.assertTrue(any(self.is_smooth_at(width) for width in 5 * (700, 1280)))
 
     def test_copied_text_is_the_block(self):

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The page by keys alone: every control is reachable, visibly focused, and works."""
+"""By keys alone: every control is reachable, visibly focused, and works."""
 
 from selenium.webdriver import ActionChains
 from selenium.webdriver.common.keys import Keys
@@ -10,13 +10,12 @@ from tests.focus.harness import PageTest
 
 MOST_STOPS = 80  # for one way through the page
 
-# Controls that Tab must reach: all visible and enabled; the chosen one of radio buttons.
+# All visible and enabled controls; of radio buttons the chosen one.
 WANTED = """
 const name = e => e.id || e.name || e.textContent;
 return [...document.querySelectorAll("button, input, select, a[href], [tabindex]")]
     .filter(e => !e.disabled && e.checkVisibility() && !(e.type === "radio" && !e.checked)).map(name);
 """
-# The focused element, and True if its focus is visible.
 FOCUSED = """
 const e = document.activeElement, seen = e.type === "radio" ? e.nextElementSibling : e;
 return [e === document.body ? null : e.id || e.name || e.textContent, getComputedStyle(seen).outlineStyle !== "none"];
@@ -25,7 +24,6 @@ return [e === document.body ? null : e.id || e.name || e.textContent, getCompute
 
 class Keyboard(PageTest):
     def keys(self, *keys, hold=None):
-        """Presses keys, one after the other, while another is held."""
         chain = ActionChains(self.browser, duration=0)
         if hold:
             chain.key_down(hold)
@@ -36,7 +34,6 @@ class Keyboard(PageTest):
         chain.perform()
 
     def tab_to(self, name):
-        """Presses Tab until a control has the focus."""
         for _ in range(MOST_STOPS):
             self.keys(Keys.TAB)
             if self.run(FOCUSED)[0] == name:

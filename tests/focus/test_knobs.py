@@ -58,7 +58,7 @@ class Knobs(PageTest):
         self.open(self.scene())
         self.press("input[name=mode][value=three]")
         self.choose("third", "upright")
-        # straight before the camera: a vertical plane through both contains the lens
+        # a vertical plane through both points contains the lens
         self.run("focusPage.model.pick([0, 0, 1])")
         before = self.run("return focusPage.model.lens.focus")
         self.run("focusPage.model.pick([0, 0, -1])")

@@ -1,20 +1,18 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The page's layout: on a phone, on a desktop, light and dark."""
-
 from tests.focus import harness
 from tests.focus.harness import PageTest
 
 SMALLEST = 24  # pixels: least size of a touch target (WCAG 2.2, target size)
 
-# The least side of all touch targets; sliders and boxes include their labels.
+# The least side of all touch targets, labels included.
 TARGETS = """
 return [...document.querySelectorAll("button, select, a[href], input[inputmode], .switch label")].filter(e => e.checkVisibility()).map(e => {
     const box = e.getBoundingClientRect();
     return [Math.min(box.width, box.height), e.id || e.textContent];
 });
 """
-# Contrast of all texts with their background (WCAG 2.2): the least, and its place.
+# The least contrast of text (WCAG 2.2), and its place.
 CONTRAST = """
 const rgb = text => text.match(/[\\d.]+/g).map(Number);
 const luminance = c => c.slice(0, 3).map(v => v / 255).map(v => v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4)
@@ -39,7 +37,6 @@ return worst;
 """
 
 
-# Labels of the side view that are not wholly inside it.
 CLIPPED = """
 const { left, right, top, bottom } = document.getElementById("side").getBoundingClientRect();
 return [...document.querySelectorAll("#side text")].filter(text => {
@@ -51,7 +48,6 @@ return [...document.querySelectorAll("#side text")].filter(text => {
 
 class Layout(PageTest):
     def set_device(self, width, height):
-        """Emulates the screen of a device."""
         metrics = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 800}
         self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", metrics)
         self.addCleanup(self.browser.execute_cdp_cmd, "Emulation.clearDeviceMetricsOverride", {})

@@ -1,7 +1,5 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The live blur: the shape of the diaphragm, and the edges of sharp and of blurred things."""
-
 import math
 
 from tests.focus import harness
@@ -16,7 +14,7 @@ camera {
   angle 30
 }
 """
-# one bright spot before the plane of sharp focus and one behind it, on black
+# one bright spot on either side of the plane of sharp focus, on black
 SPOTS = (
     VIEW
     + """\
@@ -25,7 +23,6 @@ sphere { <1.4, 0, 4>, 0.1 pigment { rgb 1 } finish { emission 40 } }
 sphere { <0, -1.2, 0>, 0.1 pigment { rgb 1 } finish { emission 1 } }
 """
 )
-# a red post before a wall of another colour
 POST = (
     VIEW
     + """\

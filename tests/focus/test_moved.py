@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Cameras with transformations: the page's text makes its lens in the camera, before and behind transformations."""
+"""The page's text makes its lens in transformed cameras."""
 
 from tests.focus import harness
 from tests.focus.harness import EXPORTED, SCENE, TOWERS, PageTest
@@ -8,7 +8,7 @@ from tests.focus.harness import EXPORTED, SCENE, TOWERS, PageTest
 SIZE = (160, 90)
 FROM_HERE = "return String(focusPage.live.location) === String(focusPage.model.camera.location)"
 
-# One camera, each time with other transformations and the items that these map to the camera of SCENE.
+# The same camera by other transformations.
 CAMERAS = """#include "transforms.inc"
 #macro Taken_Back(P) vtransform(P, transform { Move inverse }) #end
 #macro Turned_Back(V) (Taken_Back(V) - Taken_Back(<0, 0, 0>)) #end
@@ -30,15 +30,11 @@ MOVES = {
 
 
 def camera_of(move, more="", behind=""):
-    """The statement of a camera; more items before and behind its transformations."""
     return f"#declare Move = transform {{ {move} }}\ncamera {{\n  Moved()\n  {more}\n  {move}\n  {behind}\n}}\n"
 
 
 class MovedPage(PageTest):
-    """A test with a moved camera."""
-
     def check(self, scene, places, size=SIZE):
-        """The program's blur at the places."""
         blur = harness.rendered(scene, self.folder, size, "+N")["blur"]
         for x, y in places:
             found = blur[int((0.5 - y) * size[1]), int((x + 0.5) * size[0])]
@@ -69,7 +65,6 @@ class Texts(MovedPage):
 
 class Written(MovedPage):
     def copy(self):
-        """Presses Copy; returns the message after the text has been tried."""
         self.press("#copy")
         self.until("the trial", lambda: "tried" in self.text("file-said"))
         return self.text("file-said")

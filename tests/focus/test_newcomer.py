@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The way of a newcomer, by clicks alone: from an exporter's scene to one in which five points are sharp at the widest aperture."""
+"""By clicks alone, from an exporter's scene to one in which five points are sharp at the widest aperture."""
 
 import re
 
@@ -9,7 +9,7 @@ from selenium.webdriver.common.by import By
 from tests.focus import harness
 from tests.focus.more_page import MorePage
 
-# The camera stands at the origin and looks along -z, and a matrix places it: four towers on a floor.
+# placed by a matrix: four towers on a floor
 EXPORTER = """// exported
 #version 3.7;
 global_settings { assumed_gamma 1.0 }
@@ -29,7 +29,7 @@ box { <2.9, -1.5, 0>, <3.5, -0.9, 1.4>  pigment { rgb <0.3, 0.6, 0.3> } }
 box { <-0.8, -1.8, 0>, <-0.2, -1.2, 0.9>  pigment { rgb <0.9, 0.8, 0.3> } }
 box { <0.2, 1.2, 0>, <0.8, 1.8, 1.8>  pigment { rgb <0.3, 0.4, 0.8> } }
 """
-# places in the picture of the towers' tops and of the floor between them, and their heights
+# of the towers' tops and the floor, and their heights
 PLACES = {(-0.156, -0.192): 0.6, (0.184, -0.022): 1.4, (-0.154, 0.108): 0.9, (0.141, 0.346): 1.8, (0, 0.01): 0}
 SIZE = (320, 180)
 WITHIN = 1  # pixels: what the page proposes
@@ -38,11 +38,9 @@ STEP = 2 ** (1 / 6)  # between the f-numbers of a ring: a third of a stop
 
 class Newcomer(MorePage):
     def click(self, selector):
-        """Clicks an element of the page as a hand does."""
         self.browser.find_element(By.CSS_SELECTOR, selector).click()
 
     def greatest(self, scene):
-        """The greatest blur that the program reports for the points, and the f-number."""
         stop, blurs, _ = self.reported(scene, SIZE)
         self.assertEqual(len(blurs), len(PLACES))
         return max(abs(blur) for blur, _ in blurs), stop
@@ -67,7 +65,7 @@ class Newcomer(MorePage):
         for x, y in PLACES:
             self.assertLess(layer[int((0.5 - y) * SIZE[1]), int((x + 0.5) * SIZE[0])], WITHIN + 0.1)
         self.assertGreater(layer.max(), 2 * WITHIN, "nothing is blurred")
-        # the next wider f-stop would break it
+        # the next wider f-stop fails
         wider, count = re.subn(r"sharp_within \S+", f"f_stop {stop / STEP:.6f}", written)
         self.assertEqual(count, 1)
         blur, _ = self.greatest(self.scene(wider, "wider.pov"))
@@ -75,7 +73,6 @@ class Newcomer(MorePage):
         self.assertEqual(self.console(), [])
 
     def test_the_copied_text_makes_the_same_lens(self):
-        """A user who pastes the text into the camera instead."""
         self.open(self.scene(EXPORTER), *(f"+{name}{side}" for name, side in zip("WH", SIZE)))
         self.click_all(PLACES)
         self.click("#holding label")

@@ -1,7 +1,5 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Overlays and side view: tint, focus map, plane and limits of focus."""
-
 import math
 
 from tests.focus import harness
@@ -13,7 +11,6 @@ NEAR, MIDDLE, FAR = (-0.41, -0.41), (0.28, -0.055), (-0.03, 0.3)  # on the front
 # overlay of the page -> the same focus aid
 AIDS = {"peaking": "focus_peaking rgb <1, 0.05, 0.35>", "map": "focus_map", "planes": "show_planes"}
 
-# Red, green, blue at places of the picture, with an overlay.
 PIXELS = """
 const pixels = focusPage.livePixels(arguments[0]), [width, height] = focusPage.live.size;
 return arguments[1].map(([x, y]) => {
@@ -22,7 +19,7 @@ return arguments[1].map(([x, y]) => {
 });
 """
 
-# Lines of the side view: kind -> [x1, y1, x2, y2]; the intersection of film, lens and plane.
+# kind -> [x1, y1, x2, y2]; intersection of film, lens and plane
 SIDE = """
 const found = {};
 for (const line of document.querySelectorAll("#side line"))
@@ -34,26 +31,24 @@ return { ...found, meet: meet && [Number(meet.getAttribute("cx")), Number(meet.g
 
 
 def off_line(line, point):
-    """Distance of a point from the infinite line."""
+    """The line is infinite."""
     x1, y1, x2, y2 = line
     return abs((x2 - x1) * (point[1] - y1) - (y2 - y1) * (point[0] - x1)) / math.hypot(x2 - x1, y2 - y1)
 
 
 def angle(line):
-    """Direction of a line, degrees from 0 to 180."""
+    """Direction in degrees from 0 to 180."""
     x1, y1, x2, y2 = line
     return math.degrees(math.atan2(y1 - y2, x2 - x1)) % 180
 
 
 class Overlays(PageTest):
     def focus_on(self, place):
-        """The scene with a wide lens in focus at a place."""
         self.open(self.scene(), "+W320", "+H180")
         self.set_number("fStop", 0.5)
         self.click_at(*place)
 
     def pixels(self, places, **show):
-        """Colours of the picture at rest."""
         self.smooth()
         return self.run(PIXELS, show, places)
 
@@ -77,9 +72,9 @@ class Overlays(PageTest):
         plain, planes = self.pixels([NEAR, FAR]), self.pixels([NEAR, FAR], planes=True)
         self.assertEqual(plain[0], planes[0])
         self.assertNotEqual(plain[1], planes[1])
-        # orange limit, then white, then blue limit over it: more blue than before
+        # orange, white, then blue limit: more blue than before
         self.assertGreater(planes[1][2], plain[1][2] + 40)
-        # a plane laid down through the floor leaves the sky side of the picture unchanged
+        # a plane laid through the floor leaves the sky unchanged
         self.set_number("focusTilt", 80)
         laid = self.pixels([(0, -0.45), FAR], planes=True)
         self.assertNotEqual(laid[1], planes[1])
@@ -98,7 +93,6 @@ class Overlays(PageTest):
         self.smooth()
         written = scene.read_text()
         live = {name: self.live({name: True} if name else {}) for name in ("", *AIDS)}
-        # edges are antialiased in the preview alone
         same = self.other(live[""], self.scene(SCENE, "plain.pov"), size) <= 1
         self.assertGreater(same.mean(), 0.8)
         for name, item in AIDS.items():
@@ -108,11 +102,9 @@ class Overlays(PageTest):
                 self.assertLess((self.other(live[name], copy, size)[same] > 2).mean(), 0.005)
 
     def other(self, live, scene, size):
-        """The largest difference in each pixel between a live picture and the program's, without the scale of colours."""
         return abs(live - display(harness.rendered(scene, self.folder, size)["colours"], 1)[:150, :, :3]).max(2)
 
     def live(self, show):
-        """The live picture without blur but with an overlay, as an array of the upper rows."""
         import numpy
 
         values = self.run("return Array.from(focusPage.livePixels({ blur: false, ...arguments[0] }))", show)
@@ -135,7 +127,7 @@ class Overlays(PageTest):
                 self.assertLess(off_line(line, seen["meet"]), 0.5)
             self.assertAlmostEqual(angle(lens), 90 - tilt, delta=0.01)
             self.assertNotAlmostEqual(angle(plane), 90, delta=5)
-            # the limits lie on both sides and meet the plane in the hinge line, below or above the lens centre
+            # the limits meet the plane in the hinge line
             hinge = [(lens[0] + lens[2]) / 2, None]
             x1, y1, x2, y2 = plane
             hinge[1] = y1 + (hinge[0] - x1) * (y2 - y1) / (x2 - x1)

@@ -1,13 +1,12 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The main path of the page: click three points, take the block, write it, render it, and find these points sharp."""
+"""Click three points, write the block, render: these points are sharp."""
 
 from tests.focus import harness
 from tests.focus.harness import SCENE, TOWERS, PageTest
 
 
-# A preview of 4 by 4 pixels with a surface everywhere, and the upper left pixel of the next one, twice as far. Returns the distances found
-# in that pixel and in another, before and after the next preview ends. The same for a preview of a scene parsed anew.
+# Distances in a pixel of the next preview and in another, before and after it ends; the same for a scene parsed anew.
 FIND_WHILE_PREVIEW_ARRIVES = """
 const done = arguments[0], frame = focusPage.model.lens, { location } = focusPage.model.camera, size = [4, 4];
 const newBlur = () => ({
@@ -39,7 +38,6 @@ class Page(PageTest):
         self.open(scene)
         self.set_number("fStop", 0.7)
         picks = self.pick_towers()
-        # the three fronts, at the depths that the scene has
         for pick, depth in zip(picks, (-2, 0, 2)):
             self.assertAlmostEqual(pick[2], depth, delta=0.02)
         self.press("input[name=form][value=points]")

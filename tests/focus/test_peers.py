@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Unexpected messages and peers, failing renders, repeated or forced ends."""
+"""Unexpected messages and peers, failing renders, forced ends."""
 
 import asyncio
 import os
@@ -92,7 +92,6 @@ class Messages(ClientTest):
 
 class Peers(ClientTest):
     def ask(self, address, request):
-        """The first line of the answer to a request."""
         parts = urllib.parse.urlsplit(address)
         with socket.create_connection((parts.hostname, parts.port), timeout=60) as line:
             line.sendall(request)
@@ -210,7 +209,7 @@ class Names(ClientTest):
         self.assertIn("Wrong", error)
 
     def test_files_elsewhere(self):
-        """Permitted as for ./render."""
+        """Such files are permitted, as for ./render."""
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             (pathlib.Path(name) / "other.inc").write_text("sphere { 0, 1 }\n")
             scene = self.scene(SCENE + f'#include "{name}/other.inc"\n')

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Any number of points on the page: adding, moving and removing them, and the limits."""
+"""Adding, moving and removing points, and their limits."""
 
 from tests.focus import harness
 from tests.focus.more_page import PLACES, MorePage
@@ -33,7 +33,6 @@ class Points(MorePage):
         self.assertEqual(self.console(), [])
 
     def as_plane(self):
-        """The block in the form "Plane"."""
         self.press("input[name=form][value=plane]")
         return self.text("block")
 

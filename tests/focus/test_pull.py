@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Focus pulls: lenses marked at times of the clock, the film of them, and the text that makes it."""
+"""Focus pulls: marked lenses, the film, and the text that makes it."""
 
 import json
 
@@ -21,17 +21,14 @@ KEPT = "return JSON.parse(atob(location.hash.slice(1).replaceAll('-', '+').repla
 
 class Pull(PageTest):
     def open_pull(self, scene, *words):
-        """Opens a scene and its part for focus pulls."""
         self.open(scene, *words)
         self.press("#pull summary")
 
     def move_clock(self, value):
-        """Moves the clock by hand."""
         script = "const e = document.getElementById('time'); e.value = arguments[0]; for (const n of ['input', 'change']) e.dispatchEvent(new Event(n))"
         self.run(script, value)
 
     def mark_two(self):
-        """Marks a lens on one tower at 0.2, and one with three points and another f-stop at 0.8."""
         self.move_clock(0.2)
         self.set_number("fStop", 0.7)
         self.click_at(*NEAR)
@@ -44,13 +41,11 @@ class Pull(PageTest):
         self.press("#mark")
 
     def answer(self, button):
-        """Presses a button for the text; returns the page's answer."""
         self.press(button)
         self.until("an answer", lambda: any(word in self.text("pull-said") for word in ("tried there", "could not", "ritten")))
         return self.text("pull-said")
 
     def block_at(self, scene, clock):
-        """The block of a scene at a time, as the program finds it."""
         record, library = self.folder / "record.json", [povray_run.INCLUDE]
         command = povray_run.command(SETTINGS.povray, scene, None, (16, 9), f"+K{clock}", "+SR1", "+ER1", library=library)
         povray_run.run(command, self.folder, povray_run.environment(TILT_LENS_PREVIEW=str(record))).succeeded()
@@ -72,7 +67,6 @@ class Pull(PageTest):
             for name in LENS:
                 for a, b in zip(*([value] if not isinstance(value, list) else value for value in (page[name], there[name]))):
                     self.assertAlmostEqual(a, b, delta=1e-5 * max(1, abs(b)), msg=f"{name} at {time}")
-        # again, with another mark: the former keys are replaced
         self.until("the new preview", lambda: "new preview" in self.text("status") and self.drawn())
         self.run(
             "window.noted = 0; const model = focusPage.model, { note } = model; model.note = view => { window.noted++; note.call(model, view); }"

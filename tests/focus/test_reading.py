@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Looking closely: the numbers at the pointer, the loupe, and two lenses to compare."""
+"""Numbers at the pointer, the loupe, comparison of two lenses."""
 
 import math
 import re
@@ -16,14 +16,13 @@ SIZE = (320, 180)
 NUMBER = r"([\d.]+|infinity)"
 READING = rf"{NUMBER} from the lens: (?:no blur|blur ([\d.]+) px (before|behind) the plane)\. Sharp here from {NUMBER} to {NUMBER}"
 
-# Moves the pointer to a whole pixel of the screen.
 POINT_AT = """
 const picture = document.getElementById("picture"), { left, top, width, height } = picture.getBoundingClientRect();
 const clientX = Math.round(left + (arguments[0] + 0.5) * width), clientY = Math.round(top + (0.5 - arguments[1]) * height);
 picture.dispatchEvent(new PointerEvent("pointermove", { clientX, clientY, bubbles: true, pointerType: "mouse" }));
 return [(clientX - left) / width - 0.5, 0.5 - (clientY - top) / height];
 """
-# The loupe's pixels, and those of the live picture around x, y, each as often as the scale says: the share that differs by more than 2.
+# Share of the loupe's pixels that differ from the live picture's by more than 2.
 LOUPE = """
 const [[x, y], scale] = arguments, loupe = document.getElementById("loupe"), side = loupe.width, [width, height] = focusPage.live.size;
 const copy = new OffscreenCanvas(side, side).getContext("2d");
@@ -48,7 +47,6 @@ return { side, inside, other: other / (3 * inside), contrast: contrast / (3 * in
 
 class Reading(PageTest):
     def open_wide(self):
-        """The scene with a wide lens in focus on the middle tower."""
         scene = self.scene()
         self.open(scene, "+W320", "+H180")
         self.set_number("fStop", 0.7)
@@ -56,7 +54,6 @@ class Reading(PageTest):
         return scene
 
     def point_at(self, x, y):
-        """Moves the pointer over the picture; returns its place in the film."""
         return tuple(self.run(POINT_AT, x, y))
 
     def test_numbers_at_the_pointer_are_those_of_the_program(self):
@@ -78,7 +75,7 @@ class Reading(PageTest):
             self.assertAlmostEqual(float(said[1]), found["depth.Z"][row, column] * size / far, delta=0.02 * float(said[1]))
             blur = float(said[2] or 0) * (-1 if said[3] == "behind" else 1)
             self.assertAlmostEqual(blur, found["blur"][row, column], delta=0.1)
-            # a pixel of blur at both limits: (1/T - k.D) times the lens diameter, in pixels
+            # one pixel of blur at both limits: (1/T - k.D) times the lens diameter, in pixels
             w, pixels = sum(k * c for k, c in zip(lens["focus"], chief)), lens["diameter"] * SIZE[0] / math.hypot(*lens["right"])
             for limit, wanted in ((said[4], 1), (said[5], -1)):
                 self.assertAlmostEqual((size / float(limit) - w) * pixels, wanted, delta=0.02)
@@ -86,7 +83,7 @@ class Reading(PageTest):
         self.assertEqual(self.console(), [])
 
     def nothing(self):
-        """Distance and blur where the picture has no surface."""
+        """The numbers where the picture has no surface."""
         return self.browser.execute_async_script(
             """
             const done = arguments[0];

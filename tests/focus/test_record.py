@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""TILT_LENS_PREVIEW: the program records its cameras and renders a pinhole."""
+"""TILT_LENS_PREVIEW: cameras are recorded, a pinhole is rendered."""
 
 import json
 import os
@@ -17,7 +17,6 @@ PINHOLE = LENS.replace("f_stop 0.7 ", "")
 
 class Record(FocusTest):
     def render(self, items, preview=True):
-        """Renders the scene with more items in its camera; returns the picture's hash and the record."""
         scene = self.scene(SCENE.replace("  angle 45\n", f"  angle 45\n  {items}\n"))
         record, picture = self.folder / "record.json", self.folder / "picture.png"
         record.unlink(missing_ok=True)

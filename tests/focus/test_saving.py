@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Writing into the scene's file: concurrent changes, protected files, owners, links, line endings."""
+"""Writing into the scene's file: concurrent changes, protection, owners, links, line endings."""
 
 import asyncio
 import os
@@ -20,7 +20,6 @@ from tools.focus.scene_text import EditError, with_block
 
 class WhileItIsChecked(ClientTest):
     def write(self, scene, gate, then):
-        """Requests to write the block; acts while the program parses the changed scene, and returns the page's message."""
         address = self.start(scene, *WORDS)
 
         async def ask():
@@ -67,7 +66,6 @@ class WhileItIsChecked(ClientTest):
 
 class Files(ClientTest):
     def written(self, scene):
-        """Writes the block into a scene; returns the page's message."""
         address = self.start(scene, *WORDS)
 
         async def write():
@@ -112,7 +110,6 @@ class Replacing(unittest.TestCase):
         self.path.write_bytes(b"before, and longer")
 
     def replace(self, before=b"before, and longer"):
-        """Replaces the file's contents."""
         replacing.replace(str(self.path), before, b"after")
 
     def test_owner_stays_without_the_right_to_change_it(self):

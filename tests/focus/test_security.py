@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The page's server: who gets an answer, which requests are refused, how it ends."""
+"""The page's server: accepted peers, refused requests, its end."""
 
 import asyncio
 import http.client
@@ -16,7 +16,7 @@ from tests.focus.harness import SMALL
 
 class Security(ClientTest):
     def ask(self, address, path=None, method="GET", **headers):
-        """Status, headers and body of one request; the path is sent as it is."""
+        """The path is sent unchanged."""
         parts = urllib.parse.urlsplit(address)
         connection = http.client.HTTPConnection(parts.hostname, parts.port, timeout=20)
         self.addCleanup(connection.close)

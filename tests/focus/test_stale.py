@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A true picture of another lens than the page's is marked so, also on a page that connects later."""
+"""A true picture of another lens is marked, also on a page that connects later."""
 
 from tests.focus import harness
 from tests.focus.harness import SCENE, PageTest
@@ -10,7 +10,6 @@ OTHER = "Of another lens: render again."
 
 class Stale(PageTest):
     def is_other(self):
-        """True if the true picture is marked as another lens's."""
         dimmed = self.run("return getComputedStyle(document.getElementById('truth')).filter !== 'none'")
         self.assertEqual(dimmed, OTHER in self.text("true-said"))
         return dimmed
@@ -27,7 +26,7 @@ class Stale(PageTest):
             self.press("#back")
             self.assertFalse(self.is_other(), f"{knob} as before")
         self.set_number("fStop", 16)
-        # a page that connects later starts with the scene's own lens
+        # a later page starts with the scene's own lens
         self.browser.get(address)
         self.until("the preview", self.drawn)
         self.until("the picture", lambda: "Done" in self.text("true-said"))

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Pages of one call in several tabs: each keeps a camera, a clock and a frame of its own."""
+"""Each tab keeps its own camera, clock and frame."""
 
 import asyncio
 
@@ -89,7 +89,7 @@ class Tabs(ClientTest):
         asyncio.run(use())
 
     def test_pages_that_show_the_same_share_a_render(self):
-        """Another page at the same clock is served at once, while the scene itself can no longer be read."""
+        """While the scene itself cannot be read."""
         text, gate = self.gated()
         address = self.start(self.scene(text), *WORDS)
 
@@ -123,7 +123,7 @@ class Reload(PageTest):
         self.until("the other place again", lambda: self.drawn() and self.run(at) == 0.5)
         self.assertAlmostEqual(self.run("return focusPage.model.numbers().tilt"), 3)
         self.assertEqual(self.text("clock-value"), "0.5")
-        # a scene whose camera stands still: the picture alone tells that the time is another
+        # a still camera: only the picture tells the time
         self.end()
         address = self.open(self.scene(SCENE + "sphere { clock, 0.1 }\n", "still.pov"))
         self.true_picture(160)

@@ -30,7 +30,6 @@ class Truth(PageTest):
         self.assertEqual(self.console(), [])
 
     def renders(self, name):
-        """Running programs that render a file of this name for this test."""
         found = []
         for pid in filter(str.isdigit, os.listdir("/proc")):
             try:

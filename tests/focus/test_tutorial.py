@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Each scene of the tutorial: three clicks, the block written into a copy of the scene, and the program reports less than half a pixel of
-blur there."""
+"""In each tutorial scene, three clicks yield a block with less than half a pixel of blur there."""
 
 import re
 import shutil
@@ -17,7 +16,7 @@ PLACES = ((-0.28, -0.36), (0.31, -0.27), (0.02, 0.01), (-0.2, -0.05), (0.1, -0.4
 NOT_WRITTEN = {"aperture": "directives", "macros": "macro"}
 UNITS = {"shift": 50}  # millimetres in a unit of a scene that is too large for blur
 
-# positions of the points in the picture: columns and rows of the preview
+# columns and rows of the preview
 PICKED = """
 return [...document.querySelectorAll("#points button")].map(point =>
     [point.style.left, point.style.top].map((part, i) => Math.floor(parseFloat(part) / 100 * focusPage.live.size[i])));
@@ -26,7 +25,6 @@ return [...document.querySelectorAll("#points button")].map(point =>
 
 class Tutorial(PageTest):
     def pick_three(self):
-        """Clicks three places that a plane contains; returns their columns and rows."""
         for mode in ("one", "three"):  # without the points of the scene's own block
             self.press(f"input[name=mode][value={mode}]")
         for place in PLACES:
@@ -44,7 +42,6 @@ class Tutorial(PageTest):
         self.check_scenes([scene for scene in SCENES if scene.stem not in QUICK])
 
     def check_scenes(self, scenes):
-        """Three clicks are sharp in each of these scenes."""
         for original in scenes:
             with self.subTest(original.stem):
                 scene = self.folder / original.name
@@ -66,7 +63,6 @@ class Tutorial(PageTest):
         self.assertEqual(self.console(), [])
 
     def put_in_by_hand(self, scene):
-        """The camera of a user who copies the block: the page's own, behind the scene."""
         camera = self.run("return focusPage.describe('plane').expect.camera")
         vectors = "".join(f"  {name} <{', '.join(map(repr, value))}>\n" for name, value in camera.items())
         version = re.search(r"#version [^;]+;", scene.read_text()).group()
@@ -75,7 +71,6 @@ class Tutorial(PageTest):
             stream.write(behind)
 
     def check(self, scene, picked):
-        """The blur at the places in the layers of a render."""
         blur = harness.rendered(scene, self.folder, SIZE, "+N")["blur"]
         for column, row in picked:
             self.assertLess(abs(blur[row, column]), 0.5, f"{column}, {row} of {scene.name}")

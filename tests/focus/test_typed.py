@@ -1,13 +1,13 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Typed numbers, clicks before the preview is complete, and the remarks on both."""
+"""Typed numbers, early clicks, and the remarks on both."""
 
 from selenium.webdriver.common.keys import Keys
 
 from tests.focus import harness
 from tests.focus.harness import PageTest
 
-# a click before the preview is complete: the picked focus, and the focus that the complete preview would propose
+# the picked focus, and the focus that the complete preview proposes
 EARLY_CLICK = """
 const done = arguments[0];
 import(new URL("page/model.js", document.location)).then(({ Model }) => {
@@ -22,11 +22,9 @@ import(new URL("page/model.js", document.location)).then(({ Model }) => {
 
 class Typed(PageTest):
     def said(self, knob):
-        """The remark beside a knob."""
         return self.run("return document.getElementById(arguments[0]).closest('.knob').querySelector('.said').textContent", knob)
 
     def typed(self, knob, words):
-        """Types into a knob; returns its number afterwards and its remark."""
         field = self.element(knob)
         self.run("arguments[0].scrollIntoView({ block: 'center' })", field)
         field.send_keys(Keys.CONTROL, "a", Keys.NULL, words, Keys.TAB)

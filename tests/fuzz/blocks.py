@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Sends the grammar's blocks through POV-Ray's parser, many in one process, and checks each outcome."""
+"""Sends the grammar's blocks through POV-Ray's parser, many in one process."""
 
 import collections
 import dataclasses
@@ -21,7 +21,7 @@ class Outcome:
 
 
 def parse(parser, texts):
-    """After a crash, a new process continues behind the block that caused it."""
+    """After a crash, a new process continues behind its block."""
     answers = []
     while len(answers) < len(texts):
         data = b"".join(text.encode() + b"\0" for text in texts[len(answers) :])
@@ -44,7 +44,6 @@ def run(parser, seed, count):
 
 
 def tally(outcomes):
-    """Counts by kind and answer, and the failed blocks."""
     counts = collections.Counter((o.kind, o.answer.split()[0]) for o in outcomes)
     bad = [o for o in outcomes if o.answer.split()[0] in ("wrong", "crash")]
     return {

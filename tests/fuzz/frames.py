@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Renders accepted blocks as the frames of an animation, many in one process: each must become a picture with finite
-values."""
+"""Accepted blocks rendered as frames of an animation: pictures with finite values."""
 
 import pathlib
 import re
@@ -18,13 +17,11 @@ plane { y, -1 pigment { checker rgb 0.9, rgb 0.2 } }
 light_source { <4, 8, -6>, rgb 1 }
 background { rgb <0.3, 0.5, 0.8> }
 """
-# that of SceneAround() in parse_driver.cpp, with few samples
 CAMERA = "camera {{ location <0.4, 1.5, -4> look_at <0, 0.5, 0.5> angle 45 aperture 0.3 blur_samples 2, 4\n" "tilt_lens {{{}}} }}\n"
 
 
 def _animate(povray, folder, first, last):
-    """Renders frames until one fails; returns the messages, or "" if none failed."""
-    # one frame more than there are blocks: a single one would be no animation
+    # one frame more: a single one would be no animation
     command = povray_run.command(
         povray, "scene.pov", "frame.exr", (8, 6), "+FE", "+WT1", "+KFI1", f"+KFF{last + 1}", f"+SF{first}", f"+EF{last}", "-C"
     )
@@ -49,7 +46,7 @@ def _not_finite(pictures):
 
 
 def _render_batch(povray, texts):
-    """The failures: a list of (text of the block, message)."""
+    """(text of the block, message) of each failure."""
     wrong = []
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)
@@ -71,7 +68,7 @@ def _render_batch(povray, texts):
 
 
 def render(povray, texts):
-    """The failed blocks, in the form of blocks.tally()."""
+    """Returns failed blocks as blocks.tally() does."""
     wrong = []
     for start in range(0, len(texts), BATCH):
         wrong += _render_batch(povray, texts[start : start + BATCH])

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Generates texts of tilt_lens blocks from a grammar, valid and broken, reproducible by seed."""
+"""tilt_lens blocks from a grammar, valid and broken, reproducible by seed."""
 
 import random
 
@@ -95,13 +95,11 @@ STRANGE = (
 
 
 class Grammar:
-    """Blocks for one seed."""
-
     def __init__(self, seed):
         self.random = random.Random(seed)
 
     def number(self, low, high):
-        """A number as users write it, sometimes as an expression."""
+        """The number is sometimes an expression."""
         r = self.random
         value = r.uniform(low, high)
         text = r.choice((f"{value:.3g}", f"{value:.6f}", f"{value:.17g}", f"{value:.2e}"))
@@ -126,7 +124,7 @@ class Grammar:
         )
 
     def value(self, word):
-        """The value for an item, mostly in a range that makes a lens."""
+        """Mostly in a range that makes a lens."""
         r = self.random
         if word in ("tilt", "swing"):
             return self.number(-20, 20)
@@ -183,7 +181,6 @@ class Grammar:
         r = self.random
         words = [word for word in FREE if r.random() < 0.3]
         words = [word for word in words if word != "blade_curvature" or "blades" in words]
-        # the scene around the block has angle and aperture
         words = [
             word
             for word in words
@@ -205,7 +202,6 @@ class Grammar:
         return gap + gap.join(f"{word} {value}".strip() for word, value in items) + gap
 
     def broken(self, items):
-        """Makes a block invalid in one of several ways."""
         r = self.random
         items = list(items) or [("tilt", "3")]
         at = r.randrange(len(items))
@@ -240,7 +236,7 @@ class Grammar:
         return " ".join(r.choice(WORDS + STRANGE + ODD_NUMBERS) for _ in range(r.randint(1, 30)))
 
     def block(self):
-        """(kind, text): `valid` by its grammar (though perhaps without a solution), `broken`, `soup`."""
+        """(kind, text): `valid` (perhaps without a solution), `broken`, `soup`."""
         kind = self.random.choices(("valid", "broken", "soup"), (5, 4, 1))[0]
         if kind == "valid":
             return kind, self.text(self.items())

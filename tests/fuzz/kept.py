@@ -1,8 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The kept inputs: corpus/ has inputs that reach all code reached so far, regressions/ those that once failed. Each
-has solver.json, bytes in base 64, parser.json, the texts of blocks, and may have prescription.json, bytes in base
-64."""
+"""Kept inputs: corpus/ reaches all code reached so far, regressions/ once failed. Each has solver.json and may have prescription.json
+(base 64), and parser.json (texts)."""
 
 import base64
 import json
@@ -19,13 +18,11 @@ FORMS = {"solver": BYTES, "prescription": BYTES, "parser": (bytes.decode, str.en
 
 
 def load(where, name):
-    """Inputs of `corpus` or `regressions`, as bytes."""
     path = HERE / where / f"{name}.json"
     return [FORMS[name][1](text) for text in json.loads(path.read_text())] if path.is_file() else []
 
 
 def save(where, name, inputs):
-    """Keeps inputs; the same inputs give the same bytes."""
     texts = sorted({FORMS[name][0](data) for data in inputs}, key=lambda text: (len(text), text))
     (HERE / where).mkdir(exist_ok=True)
     (HERE / where / f"{name}.json").write_text(json.dumps(texts, indent=0, ensure_ascii=False) + "\n")
@@ -39,7 +36,7 @@ def unpack(name, folder):
 
 
 def minimise(name, program, found):
-    """Reduces all inputs to the kept corpus: the fewest that reach the same code."""
+    """The fewest inputs that reach the same code."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as folder:
         subprocess.run(
             [str(program), "-set_cover_merge=1", folder, str(found)], capture_output=True, check=True, env={**WITHOUT_LEAKS, **os.environ}

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file parse_blocks.cpp
-/// Reads the texts of blocks from standard input, each ended by a zero byte, and parses each as a scene of its own. Prints one line per
-/// block at once, so that a crash can be attributed: `lens`, `none` (no tilt_lens in the end), `error WORDS` or `wrong WORDS`.
-/// With `--items`, prints the parser's table of items as JSON; a limit that is infinite is null.
+/// Parses blocks from standard input, each ended by a zero byte. Prints one line per block at once, for crashes: `lens`, `none`, `error
+/// WORDS` or `wrong WORDS`. `--items` prints the parser's table as JSON; an infinite limit is null.
 
 #include <cstring>
 #include <iostream>

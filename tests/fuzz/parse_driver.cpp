@@ -24,10 +24,10 @@
 namespace
 {
 
-// the program deletes a derived class through this one, which sanitizers report
+// deleted through this base, which sanitizers report
 static_assert(std::has_virtual_destructor<pov_frontend::ShelloutProcessing>::value);
 
-// a thread that sees it set destroys data that the task's own thread has written
+// set, it makes a thread destroy data of the task's thread
 static_assert(std::is_same<decltype(pov::Task::done), std::atomic<bool>>::value);
 
 ParseOutcome* current = nullptr;  ///< one scene is parsed at a time
@@ -70,7 +70,7 @@ class Finish
     bool done = false;
 };
 
-/// Checks the rays through the frame's corners and centre, from the centre of the lens and its rim.
+/// Rays through corners and centre of the frame, from centre and rim of the lens.
 std::string BrokenRay(const tilt_lens::Lens& lens)
 {
     for (double x : {-0.5, 0.0, 0.5})
@@ -88,7 +88,7 @@ std::string BrokenRay(const tilt_lens::Lens& lens)
 
 } // namespace
 
-// the linker redirects the parser's calls of these four functions here (--wrap); the scene is the only file
+// the linker redirects these four functions here (--wrap); the scene is the only file
 int Send(POVMSContext, POVMSObjectPtr message, POVMSObjectPtr, int) __asm__("__wrap__Z10POVMS_SendPvP9POVMSDataS1_i");
 pov_base::UCS2String FindFile(pov::SceneData*, POVMSContext, const pov_base::UCS2String&, unsigned int) __asm__(
     "__wrap__ZN3pov9SceneData8FindFileEPvRKNSt7__cxx1112basic_stringItSt11char_traitsItESaItEEEj");
@@ -132,7 +132,7 @@ ParseOutcome Parse(const std::string& scene)
         std::abort();
     {
         shared_ptr<pov::SceneData> data(new pov::SceneData);
-        // set from the command line by upstream's Scene
+        // upstream's Scene sets it from the command line
         data->inputFile = pov_base::ASCIItoUCS2String("scene.pov");
         data->realTimeRaytracing = data->clocklessAnimation = data->outputAlpha = false;
         data->boundingMethod = 1;
@@ -144,7 +144,7 @@ ParseOutcome Parse(const std::string& scene)
         finish.Wait();
         parser.Stop();
         const pov::Camera& camera = data->parsedCamera;
-        // a focus found by rays is found when the render begins
+        // focus found by rays: at the begin of the render
         if (outcome.errors.empty() && camera.TiltLens.given && camera.TiltLens.IsComplete())
         {
             outcome.lens = true;

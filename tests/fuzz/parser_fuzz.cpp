@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file parser_fuzz.cpp
-/// libFuzzer's target for the block's parser: the bytes are the text between the braces of `tilt_lens`.
+/// libFuzzer's target for the block's parser: the text between the braces.
 
 #include <cctype>
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-    // directives, strings and functions are upstream's: infinite loops, files, and parsers of their own
+    // upstream's parts: infinite loops, files, other parsers
     if (size > 2000)
         return -1;
     for (std::size_t i = 0; i < size; i++)

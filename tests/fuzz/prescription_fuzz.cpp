@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file prescription_fuzz.cpp
-/// libFuzzer's target for the readers of prescriptions: the bytes are a file. Any bytes yield a lens that can be focused, or an error in
-/// words that names a line of the file.
+/// libFuzzer's target for readers of prescriptions: a lens that can be focused, or an error that names a line.
 
 #include <algorithm>
 #include <cstdint>

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The preset fuzz can be configured, and clang compiles a file of each kind with its options: preset.py SOURCE DOWNLOADS."""
+"""clang takes the options of the preset fuzz: preset.py SOURCE DOWNLOADS."""
 
 import pathlib
 import subprocess
@@ -11,7 +11,6 @@ WANTED = ("backend/shape/discs.cpp.o", "povray_own.dir/Unity/unity_0_cxx.cxx.o",
 
 
 def run(*command):
-    """Runs a command; ends the test with its messages if it fails."""
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
     if done.returncode != 0:
         sys.exit(f"{' '.join(command)}\n{done.stdout[-4000:]}")

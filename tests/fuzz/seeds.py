@@ -1,8 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Plain cameras as the bytes that solver_fuzz reads, and files of lenses for prescription_fuzz, as libFuzzer's first inputs.
+"""First inputs of libFuzzer: cameras for solver_fuzz, files for prescription_fuzz.
 
-The order of the fields is that of StatementFrom() in solver_fuzz.cpp.
+Fields in the order of StatementFrom() in solver_fuzz.cpp.
 """
 
 import shutil
@@ -12,12 +12,10 @@ from tools.repository import ROOT
 
 
 def camera(flags, numbers, blades=0):
-    """flags, a seed, the camera's place, then the numbers."""
     return struct.pack("<BI3d", flags, 12345, 0.4, 1.5, -4.0) + struct.pack(f"<{len(numbers)}d", *numbers) + struct.pack("<h", blades)
 
 
 def seeds():
-    """Each family, with an angle or a focal length, with an aperture or an f-number."""
     made = []
     for family in range(4):
         for focal_length in (False, True):
@@ -28,7 +26,6 @@ def seeds():
                 # planeNormal or the first point; focalPoint or the second; the third; distance, shift
                 rest = [0.1, 1.0, 0.3, 1.0, 0.5, 3.0, 0.2, 0.1, 9.0, 0.4, 2.0, -1.0]
                 made.append(camera(flags, head + turns + rest, 7))
-    # raw camera vectors as well
     made.append(
         struct.pack("<BI12d", 128, 1, 0.4, 1.5, -4, 0, 0, 1.6, 1.6, 0, 0, 0, 1.2, 0)
         + struct.pack("<15d", 0.1, 6, -3, 0.1, 1, 0.3, 1, 0.5, 3, 0.2, 0.1, 9, 0.4, 2, -1)

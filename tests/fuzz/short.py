@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The short fuzz run of ./check: tests.fuzz.short solver|prescription|blocks|frames|regressions. `python3 -m tests.stress.run fuzz` is the long one."""
+"""The short fuzz run of ./check: tests.fuzz.short solver|prescription|blocks|frames|regressions."""
 
 import argparse
 import pathlib
@@ -13,12 +13,11 @@ from tests.parse import items
 
 RUNS, READER_RUNS, BLOCKS, FRAMES = 30_000, 10_000, 800, 60
 SECONDS_OF_ONE = 60  # a file is read within a thousandth of it
-# a block that the parser refuses, and one followed by more light than the file can hold
+# refused, and brighter than the file can hold
 BAD = ("tilt", "tilt 3 } } sphere { 0, 50 hollow finish { ambient 1e9 } pigment { rgb 1 } } camera { location 9*y tilt_lens { tilt 3")
 
 
 def run_libfuzzer(program, *arguments):
-    """Runs libFuzzer; ends the test with its messages if it finds a fault."""
     done = subprocess.run([str(program), *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
     print("\n".join(done.stdout.splitlines()[-3:]))
     if done.returncode != 0:
@@ -50,7 +49,7 @@ def prescription(settings):
 
 
 def grammar_blocks(settings):
-    """Blocks of the grammar through the parser: each results in a lens or in one error, and both occur often."""
+    """A lens or one error, both often."""
     missing = {item.word for item in items.items(settings.parser)} ^ set(grammar.WORDS)
     if missing:
         sys.exit(f"the grammar and the parser know different words: {sorted(missing)}")
@@ -64,7 +63,7 @@ def grammar_blocks(settings):
 
 
 def grammar_frames(settings):
-    """Bad blocks among the accepted ones are detected, and the others are rendered nevertheless."""
+    """Bad blocks are found, the others rendered."""
     accepted = [o.text for o in blocks.run(settings.parser, 2, 3 * FRAMES) if o.answer == "lens"][:FRAMES]
     if len(accepted) < FRAMES:
         sys.exit(f"only {len(accepted)} of {3 * FRAMES} blocks accepted")

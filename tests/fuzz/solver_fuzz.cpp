@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file solver_fuzz.cpp
-/// libFuzzer's target for the solver: the bytes are the numbers of a camera and a statement, bit for bit. Any bytes yield a lens whose rays
-/// are finite and have a direction, or an error in words.
+/// libFuzzer's target for the solver: the numbers of a camera and a statement, bit for bit. Result: finite rays with a direction, or an
+/// error in words.
 
 #include <cstdint>
 #include <cstdio>
@@ -20,7 +20,7 @@ namespace
 
 using namespace tilt_lens;
 
-/// Reads numbers from the bytes; zeros after their end.
+/// Bytes after the end are zero.
 class Bytes
 {
   public:
@@ -80,7 +80,7 @@ Statement StatementFrom(Bytes& bytes, unsigned flags)
     s.shiftUp = bytes.Number();
     s.blades = bytes.Take<std::int16_t>();
     s.bladesAngle = bytes.Number();
-    const unsigned more = bytes.Take<std::uint8_t>();  // nothing in inputs from before sharp_points
+    const unsigned more = bytes.Take<std::uint8_t>();  // absent in older inputs
     if (s.family == FocusFamily::FocalPoints && more != 0)
     {
         s.family = FocusFamily::SharpPoints;
@@ -93,7 +93,7 @@ Statement StatementFrom(Bytes& bytes, unsigned flags)
     return s;
 }
 
-/// Uses of a lens in the report and the render: none may crash or overflow.
+/// As report and render use a lens: no crash, no overflow.
 void Use(const Lens& lens, const Statement& s, std::uint32_t seed)
 {
     for (const std::string& warning : Warnings(lens, s))
@@ -113,7 +113,6 @@ void Use(const Lens& lens, const Statement& s, std::uint32_t seed)
     {
         const SequencePoint sample = sampler(i);
         const AperturePoint p = disc(sample.lensU, sample.lensV);
-        // the frame's corners and its inside
         const double x = i < 4 ? (i & 1 ? 0.5 : -0.5) : sample.pixelX - 0.5;
         const double y = i < 4 ? (i & 2 ? 0.5 : -0.5) : sample.pixelY - 0.5;
         const LensRay ray = MakeRay(lens, x, y, p.a, p.b);
@@ -131,7 +130,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const unsigned flags = bytes.Take<std::uint8_t>();
     const std::uint32_t seed = bytes.Take<std::uint32_t>();
     CameraFrame camera;
-    // a plain camera, or one of raw numbers
     if (flags & 128)
         camera = {bytes.Vector(), bytes.Vector(), bytes.Vector(), bytes.Vector()};
     else

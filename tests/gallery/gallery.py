@@ -1,9 +1,9 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The gallery: every scene parses and renders without a warning, and the page shows every one.
+"""The gallery's scenes render without a warning, and its page shows all of them.
 
-    gallery.py --povray POVRAY --compare COMPARE scene SCENE.pov
-    gallery.py --povray POVRAY --compare COMPARE page
+gallery.py --povray POVRAY --compare COMPARE scene SCENE.pov
+gallery.py --povray POVRAY --compare COMPARE page
 """
 
 import argparse
@@ -52,12 +52,11 @@ def check_scene(path, povray):
 
 
 def plain(text):
-    """The text with every run of blanks made one."""
     return " ".join(text.split())
 
 
 def check_blocks(page):
-    """Faults of the page's excerpts: each must occur in the scene whose command precedes it."""
+    """Each excerpt must occur in the scene whose command precedes it."""
     faults = []
     for block in re.finditer(r"^```\n(.*?)^```$", page, re.MULTILINE | re.DOTALL):
         names = re.findall(r"\./render scenes/gallery/(\w+)\.pov", page[: block.start()])

@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The oracle program still works here: a few frames agree with the stored oracle, and with the wrong sign of the
-tilt they do not."""
+"""Some frames of the oracle agree with the stored one; those with the tilt's sign reversed do not."""
 
 import argparse
 import json
@@ -13,7 +12,7 @@ import sys
 from tests.tools import manifest, pictures
 
 CASE = "tilt"
-# 128 pinholes leave an RMSE of about 0.012 in this case; the wrong sign makes 0.06.
+# 128 pinholes: RMSE about 0.012; wrong sign: 0.06
 LIMITS = {"kind": "limits", "rmse_max": 0.025, "mean_max": 0.002}
 BATCHES, SAMPLES, PROCESSES, SEED = 8, 16, 16, 1001
 

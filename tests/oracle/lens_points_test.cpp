@@ -59,8 +59,7 @@ TEST(LensPoints, DiscHasTheMomentsOfADisc)
     EXPECT_NEAR(ab, 0.0, 1e-3);
 }
 
-/// Second moment of a regular polygon of N corners on the unit circle: (1 + 2 cos^2(pi/N)) / 12 for each axis; all points lie within its
-/// edges.
+/// Second moment of a regular N-gon on the unit circle: (1 + 2 cos^2(pi/N)) / 12 for each axis.
 TEST(LensPoints, PolygonIsFilledEvenly)
 {
     const double pi = std::acos(-1.0);

@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The oracle's optics against closed forms.
-
 #include <cmath>
 #include <stdexcept>
 
@@ -33,7 +31,7 @@ CameraGiven AlongZ(Focus focus, double turnUp, double turnRight)
     return given;
 }
 
-/// Intersection of the pinhole ray of lens point (a, b) and film point (x, y) with the plane of sharp focus.
+/// Pinhole ray of lens point (a, b) and film point (x, y), in the plane of sharp focus.
 Vector Crossing(const CameraSolved& camera, double a, double b, double x, double y)
 {
     const Vector l = a * camera.lensX + b * camera.lensY;
@@ -59,7 +57,7 @@ TEST(OracleOptics, EveryLensPointMeetsInThePlaneOfFocus)
 TEST(OracleOptics, ObeysTheHingeRule)
 {
     const CameraSolved camera = SolveCase(AlongZ(Focus::Lens, 6.0, 0.0), 4.0 / 3.0);
-    // the plane of sharp focus meets the plane z = 0 at J below the lens
+    // J: where the plane of sharp focus meets z = 0, below the lens
     EXPECT_NEAR(-1.0 / camera.focus.y, camera.focalLength / std::sin(6.0 * kDegree), 1e-12);
 }
 
@@ -91,7 +89,7 @@ TEST(OracleOptics, BothRoutesAgree)
 TEST(OracleOptics, ScheimpflugLineIsInAllThreePlanes)
 {
     const CameraSolved camera = SolveCase(AlongZ(Focus::Lens, 4.0, 9.0), 4.0 / 3.0);
-    // two points of the line in which lens plane and film meet must lie in the plane of focus
+    // Scheimpflug: the line of lens plane and film lies in the plane of focus
     const Vector t = camera.lensNormal;
     const double s = camera.filmDistance;
     for (const double x : {-1.0, 2.0})
@@ -135,7 +133,6 @@ TEST(OracleOptics, TransformationsCarryThePlaneWithTheCamera)
                              {Transformation::Kind::Rotate, {0.0, 90.0, 0.0}},
                              {Transformation::Kind::Translate, {1.0, 2.0, 3.0}}};
     const CameraSolved after = SolveCase(given, 4.0 / 3.0);
-    // POV-Ray rotates z to x with rotate 90*y
     EXPECT_LT(Length(after.direction - Vector{2.0 * before.direction.z, 0.0, 0.0}), 1e-14);
     const Vector point = Crossing(before, 0.0, 0.0, 0.2, 0.1), image = Crossing(after, 0.3, 0.4, 0.2, 0.1);
     EXPECT_LT(Length(image - Vector{2.0 * point.z, 2.0 * point.y, -2.0 * point.x}), 1e-9 * Length(image));

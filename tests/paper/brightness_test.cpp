@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The profile tool's arithmetic on pictures with known results.
-
 #include <cmath>
 #include <stdexcept>
 
@@ -16,7 +14,7 @@ namespace
 using paper::Point;
 using witness::Picture;
 
-/// Grey pixels of linear values from a function of column and row.
+/// The pixels' values are linear.
 template<typename Value>
 Picture Make(int width, int height, Value value)
 {
@@ -59,7 +57,7 @@ TEST(Profile, AveragesAbsoluteDifferences)
 
 TEST(Moments, MatchARectangle)
 {
-    // 5 by 3 pixels: variances (n^2 - 1)/12 of the pixels' centres
+    // 5 by 3 pixels: variances (n^2 - 1)/12
     const Picture picture = Make(20, 20, [](int x, int y) { return x >= 4 && x < 9 && y >= 7 && y < 10 ? 0.25 : 0.0; });
     const paper::Moments m = paper::MomentsIn(picture, 2, 2, 15, 15);
     EXPECT_NEAR(m.centroid.x, 6.5, 1e-12);

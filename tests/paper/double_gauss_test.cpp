@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Real rays through the experiments' lens of glass focus where its numbers say.
+// The experiments' lens of glass focuses where its numbers say.
 
 #include <cmath>
 
@@ -14,7 +14,6 @@ namespace
 
 using paper::GlassLens;
 
-/// Through a film point and a point of the exit pupil, into the scene.
 paper::Ray Out(const GlassLens& lens, const paper::Vector& film, double x, double y)
 {
     const paper::Vector direction = witness::Unit(paper::Vector{x, y, lens.ExitPupil()} - film);
@@ -30,20 +29,20 @@ TEST(GlassLens, SendsTheFocalPointToInfinity)
     for (const double height : {0.01, 0.5, 1.0})
     {
         const paper::Ray ray = Out(lens, focus, height, 0.0);
-        // spherical aberration grows with the cube of the height and vanishes near the axis
+        // spherical aberration grows with the cube of the height
         EXPECT_NEAR(ray.direction.x / ray.direction.z, 0.0, 1e-7 + 2e-5 * std::pow(height, 3));
     }
 }
 
 TEST(GlassLens, HasTheRowsOfALensOf50Millimetres)
 {
-    // states the file's focal length; a wrong digit in a row would change it
+    // the file's focal length, which a wrong digit would change
     EXPECT_NEAR(GlassLens(50.0, 8.0).PrintedFocalLength(), 50.0, 0.5);
 }
 
 TEST(GlassLens, HasItsFocalLength)
 {
-    // a film point at height h in the focal plane leaves at the slope -h/f
+    // height h in the focal plane: slope -h/f
     const GlassLens lens(50.0, 8.0);
     const double h = 0.01;
     const paper::Ray ray = Out(lens, {h, 0.0, -lens.Separation() - 50.0}, 0.0, 0.0);
@@ -52,7 +51,7 @@ TEST(GlassLens, HasItsFocalLength)
 
 TEST(GlassLens, PassesItsPrincipalPointsUnbent)
 {
-    // towards H' (where the pupil is) and out of H, in one direction
+    // towards H' (where the pupil is), out of H, in one direction
     const GlassLens lens(50.0, 8.0);
     ASSERT_NEAR(lens.ExitPupil(), -lens.Separation(), 0.05);
     ASSERT_NEAR(lens.EntrancePupil(), 0.0, 0.05);
@@ -68,7 +67,6 @@ TEST(GlassLens, PassesItsPrincipalPointsUnbent)
 
 TEST(GlassLens, HasItsFNumber)
 {
-    // the widest ray through the stop leaves at half the entrance pupil's diameter
     const GlassLens lens(50.0, 8.0);
     const paper::Vector focus{0.0, 0.0, -lens.Separation() - 50.0};
     double widest = 0.0;

@@ -1,10 +1,9 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""`prescription` against the separate tracer of the experiments: the box scene through the same double Gauss lens,
-tilted by 0, 4 or 8 degrees, at f/8 or f/2.1, or focused by its first element.
+"""`prescription` against the experiments' tracer: the box scene through the same double Gauss lens, tilted by 0, 4 or 8 degrees, at f/8 or
+f/2.1, or focused by its first element.
 
-The tracer takes the mean over the rays that pass, so the program's picture is divided by that of an even surface
-through the same lens (flat field)."""
+The tracer takes the mean over passing rays, so the program's picture is divided by that of an even surface (flat field)."""
 
 import argparse
 import dataclasses
@@ -25,13 +24,10 @@ from tests.render import rendering
 TILTS, STOPS = (0, 4, 8), (8, 2.1)
 SAMPLES = {8: 1024, 2.1: 4096}  # of the tracer, per pixel: its noise must be small against the limits
 SIZE = (42, 28)
-# The limits of the oracle's pictures
 RMSE, MEAN = 0.006, 0.0005
-# The least RMSE of a wrong lens, in a picture of this size; so large a difference needs fewer samples. With the wrong sign of the tilt it is
-# 0.11.
+# Least RMSE of a wrong lens; the wrong sign of the tilt gives 0.11.
 WRONG, WRONG_SIZE, WRONG_SAMPLES = 0.1, (60, 40), 512
-# The lens that focuses by its first element: its movement (mm of its file) for this scene, and the tilt. The wrong lens has all glass as for
-# infinity.
+# The first element's movement (mm of its file), and the tilt. The wrong lens is focused at infinity.
 MOVED, MOVED_TILT = 2.0, 4
 
 
@@ -83,13 +79,13 @@ def traced_picture(tool, folder, tilt, stop, moved=0.0, size=SIZE, samples=None)
     )
     # the tracer's stop stays in place when the first element moves
     assert abs(json.loads(done.stdout)["entrance_pupil"]) < (0.02 if moved == 0.0 else 0.03), done.stdout
-    # three floats, and three halves for an error that the mean of one batch lacks
+    # three floats, and three halves for the error, unknown for one batch
     *_, data = rendering.read_pixels(made)
     return rendering.Picture(width, height, ["R", "G", "B"], [v for pixel in struct.iter_unpack("=fffeee", data) for v in pixel[:3]])
 
 
 def differences(picture, even, traced):
-    """Root mean square and mean difference of the colours, after division by the flat field."""
+    """Root mean square and mean, after division by the flat field."""
     squares = mean = 0.0
     for name in "RGB":
         for own, level, other in zip(picture.channel(name), even.channel(name), traced.channel(name)):
@@ -100,7 +96,6 @@ def differences(picture, even, traced):
 
 
 def inner_focus(tool, folder, stop):
-    """The program has to find the first element's movement by itself."""
     at_infinity = gauss.write_moving(folder, MOVED, lens_of(MOVED_TILT, stop).film_distance * VIEW.scene_unit)
     stays = json.loads((folder / "moving.json").read_text())
     del stays["object-distance"]
@@ -125,7 +120,6 @@ def inner_focus(tool, folder, stop):
 
 
 def one_tilt(tool, folder, stop, tilt):
-    """The lens tilted as a whole."""
     traced = traced_picture(tool, folder, tilt, stop)
     rmse, mean = differences(program_picture(folder, tilt, stop), program_picture(folder, tilt, stop, True), traced)
     good = rmse < RMSE and abs(mean) < MEAN
@@ -134,7 +128,6 @@ def one_tilt(tool, folder, stop, tilt):
 
 
 def wrong_sign(tool, folder, stop, tilt):
-    """With the wrong sign of the tilt the pictures differ."""
     traced = traced_picture(tool, folder, tilt, stop, size=WRONG_SIZE, samples=WRONG_SAMPLES)
     pictures = [program_picture(folder, -tilt, stop, even, WRONG_SIZE) for even in (False, True)]
     wrong, _ = differences(*pictures, traced)

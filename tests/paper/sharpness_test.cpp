@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The sharpness tool recovers the blur of synthetic pictures.
+// The tool recovers the blur of synthetic pictures.
 
 #include <cmath>
 #include <random>
@@ -17,8 +17,7 @@ namespace
 using paper::Point;
 using witness::Picture;
 
-/// A checker board turned against the grid, which is `finer` times as fine. Each pixel is the mean over its square and over a disc around
-/// it, by random points, independent of the tool's own disc.
+/// A turned checker board on a grid `finer` times as fine: each pixel is a mean over its square and a disc, by random points.
 Picture Checkers(double diameter, int finer = 1)
 {
     std::mt19937 random(7);
@@ -54,7 +53,7 @@ TEST(Blur, IsRecovered)
     for (const double diameter : {1.5, 3.0, 5.0, 9.0})
     {
         const paper::Blur blur = paper::BlurBetween(sharp, Checkers(diameter), {15, 15, 30, 20}, 20.0);
-        // the grid contributes up to a pixel's own variance, 1/12; a disc's is d^2/16
+        // a pixel's own variance is at most 1/12, a disc's d^2/16
         EXPECT_NEAR(blur.diameter * blur.diameter, diameter * diameter, 16.0 / 12);
         EXPECT_LT(blur.residual, 0.1);
     }
@@ -82,8 +81,7 @@ TEST(Blur, RefusesUnmeasurablePictures)
 
 TEST(Steepness, MatchesAStep)
 {
-    // black to white between two columns: central differences see half of it in each of both, so that ten columns average 255/10 levels per
-    // pixel
+    // ten columns around a step average 255/10 levels per pixel
     Picture picture{20, 9, {}};
     for (int i = 0; i < 20 * 9; ++i)
         picture.values.insert(picture.values.end(), 3, i % 20 < 10 ? 0.0 : 1.0);

@@ -49,12 +49,10 @@ class Case:
     place: tuple  # file and line that the messages name, or None
 
     def parts(self, kind):
-        """The parts of each expected message of a kind."""
         return [e.parts for e in self.expected if e.kind == kind]
 
 
 def place_of_mark(name, files):
-    """File and line of the mark; None without a mark."""
     places = [(file, number) for file, text in files.items() for number, line in enumerate(text.split("\n"), 1) if MARK in line]
     if len(places) > 1:
         raise BadCase(f"{name}: more than one mark {MARK}")

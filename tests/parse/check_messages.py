@@ -2,9 +2,8 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Runs POV-Ray on each case of a file, and compares its messages with the expected ones.
 
-An expected error must be the only one, name file and line, and contain the expected parts in their order. The exit
-code must not be zero, and there must be no picture. Without an expected error the picture must be there. Warnings
-must be those expected."""
+An expected error must be the only one and name file and line; the exit code is not zero, and there is no picture. Without an expected
+error there must be a picture."""
 
 import argparse
 import pathlib
@@ -16,8 +15,8 @@ from tests.parse import cases_file
 from tools import povray_run
 
 PICTURE = "picture.png"
-# POV-Ray breaks its messages into lines of 79 characters, the later ones indented by a blank. The renderer's messages follow their place
-# and perhaps the lines around it.
+# POV-Ray breaks messages into lines of 79 characters, later ones indented. The renderer's messages follow their place and some lines of the
+# scene.
 KIND = r"((?:Parse |Possible |Render |Fatal )?(?:Error|Warning)): (.*)"
 MESSAGE = re.compile(r"File '([^']*)' line (\d+): " + KIND)
 PLACE = re.compile(r"File: (.*\S) +Line: (\d+)\n(?:File Context.*\n(?:.*\n)*?)?(?=" + KIND + ")")
@@ -25,7 +24,7 @@ PLACELESS = re.compile(KIND)
 
 
 def messages_of(text):
-    """(kind, file, line, text) of each message in the output of POV-Ray."""
+    """(kind, file, line, text) of each message."""
     found = []
     for line in PLACE.sub(r"File '\1' line \2: ", re.sub(r"\n (?=\S)", " ", text)).split("\n"):
         match = MESSAGE.match(line)
@@ -48,7 +47,6 @@ def has_parts(text, parts):
 
 
 def run(povray, case, folder, library):
-    """The finished run of POV-Ray."""
     for name, text in case.files.items():
         (folder / name).write_text(text)
     return povray_run.run(povray_run.command(povray, cases_file.SCENE, PICTURE, (8, 6), "+WT1", *case.options, library=library), folder)
@@ -68,7 +66,6 @@ def compare_messages(case, found, kind):
 
 
 def check(povray, case, library):
-    """The faults, and a readable report; an empty list if there is none."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)
         done = run(povray, case, folder, library)

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The parser's own table of the items of `tilt_lens`, as the program `parse_blocks` prints it."""
+"""The parser's own table of items, printed by `parse_blocks`."""
 
 import dataclasses
 import json
@@ -18,7 +18,7 @@ class Number:
     whole: bool
 
     def range(self):
-        """The range as pages state it; None if any finite number will do."""
+        """As pages state it; None for any finite number."""
         if math.isfinite(self.least) and math.isfinite(self.most):
             return f"{self.least:.10g} to {self.most:.10g}"
         return "larger than 0" if self.least > 0 else None
@@ -33,7 +33,6 @@ class Item:
 
 
 def items(parse_blocks):
-    """All items, in the order of messages."""
     told = subprocess.run([parse_blocks, "--items"], capture_output=True, timeout=PATIENCE, check=True).stdout
     return [
         Item(

@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Each number of each item is taken at the ends of its range and refused beyond them, by a message that states the range. The items and
-their ranges come from the parser's table."""
+"""Each number is taken at the ends of its range, and refused beyond them by a message that states the range."""
 
 import argparse
 import math
@@ -20,12 +19,10 @@ def written(value):
 
 
 def allowed(number):
-    """A number that is taken."""
     return number.most if math.isfinite(number.most) else max(1.0, number.least)
 
 
 def answers(blocks):
-    """What the parser says to each block."""
     done = subprocess.run(
         [SETTINGS.parser], input="".join(block + "\0" for block in blocks), capture_output=True, text=True, timeout=PATIENCE, check=True
     )
@@ -37,7 +34,6 @@ class Ranges(unittest.TestCase):
         self.items = items.items(SETTINGS.parser)
 
     def check(self, values_of, judge):
-        """Tries the values of each number behind allowed ones; `judge` looks at number, value and answer."""
         tried = [
             (item, number, value, ", ".join([*(written(allowed(n)) for n in item.numbers[:place]), value]))
             for item in self.items
@@ -53,7 +49,7 @@ class Ranges(unittest.TestCase):
                 judge(number, value, answer)
 
     def test_ends_are_taken(self):
-        """Other items or the lens may refuse them, but not the range."""
+        """Other checks may refuse them, but not the range."""
 
         def judge(number, value, answer):
             del value
@@ -90,7 +86,6 @@ class Ranges(unittest.TestCase):
         self.check(lambda number: cases, judge)
 
     def test_examples(self):
-        """The example of an item, which messages show, is no fault in itself."""
         examples = [item.example.replace("frame_number", "1") for item in self.items]  # these scenes have no frames
         for item, answer in zip(self.items, answers(examples)):
             with self.subTest(example=item.example, answer=answer):

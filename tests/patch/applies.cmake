@@ -1,8 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 #
-# The series applies with no fuzz to the pinned source, all of it, in order, and nothing else does.
-# Takes REPOSITORY, ARCHIVES or POVRAY_TARBALL, and WORK.
+# The series, and nothing else, applies without fuzz to the pinned source. Takes REPOSITORY, ARCHIVES or POVRAY_TARBALL, and WORK.
 include("${REPOSITORY}/cmake/PatchedSource.cmake")
 
 file(REMOVE_RECURSE "${WORK}")

@@ -1,11 +1,11 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Each patch in patches/fixes stands alone: Debian's source takes it without our other patches, and compiles with it.
+"""Each patch in patches/fixes applies alone to Debian's source, and compiles.
 
 usage: check_fixes.py apply|compile REPOSITORY WORK DOWNLOADS TARBALL=[FOLDER] [COMPILER COMPILE_COMMANDS]
 
-Prints each fault; the exit code is not 0 if there is a fault. "compile" checks the syntax of the files that a patch touches, or of a
-file that includes a header that it touches. COMPILE_COMMANDS is the build's list of commands, for the options.
+Prints each fault; the exit code is not 0 if there is a fault. "compile" checks files that a patch touches, or that include a header that
+it touches.
 """
 
 import json
@@ -16,7 +16,7 @@ import shutil
 import subprocess
 import sys
 
-# folders of the installation, which the build sets by files of ours
+# folders of the installation, set by our build
 FOLDERS = ['-DPOVLIBDIR="/usr/share/povray-3.7"', '-DPOVCONFDIR="/etc/povray/3.7"', '-DTILT_LENS_BUILD_NAME="a fix alone"']
 
 
@@ -25,7 +25,6 @@ def run(*command, folder=None):
 
 
 def debian_source(repository, work, downloads, tarball):
-    """The source with Debian's patches and none of ours."""
     shutil.rmtree(work, ignore_errors=True)
     (work / "none").mkdir(parents=True)
     (work / "none" / "series").write_text("", encoding="utf-8")
@@ -37,7 +36,6 @@ def debian_source(repository, work, downloads, tarball):
 
 
 def apply(patch, tree, *options):
-    """Its messages; empty if the patch applies without fuzz."""
     done = run(
         "patch", "-p1", "-F0", "-E", "--batch", "--no-backup-if-mismatch", "--reject-file=-", "--input", patch, *options, folder=tree
     )
@@ -50,7 +48,7 @@ def touched(patch):
 
 
 def to_compile(names, tree):
-    """Source files that show whether these files compile."""
+    """Sources that show whether these files compile."""
     sources = set()
     for name in names:
         path = tree / name
@@ -65,7 +63,7 @@ def to_compile(names, tree):
 
 
 def options(commands, target, build, tree):
-    """Options of a target's compilation, for the tree instead of the build's source, without files of ours."""
+    """A target's options, for this tree, without our files."""
     command = next(entry["command"] for entry in commands if f"/{target}.dir/" in entry["command"])
     words = iter(shlex.split(command))
     found = []

@@ -3,7 +3,7 @@
 """Checks a folder of patches against the rules of docs/patching.md.
 
 usage: check_patches.py list|headers|size|style FOLDER
-       check_patches.py tests FOLDER BUILD
+   check_patches.py tests FOLDER BUILD
 
 Prints each fault on a line; the exit code is not 0 if there is a fault.
 """
@@ -15,24 +15,23 @@ import re
 import subprocess
 import sys
 
-# A patch lies in the folder of its purpose. The series has the folders in this order: fixes need no other patch, and without the
-# last folder the series is what -DSPEEDUPS=OFF applies.
+# Folders in the order of the series. Fixes need no other patch; -DSPEEDUPS=OFF leaves out the last folder.
 FOLDERS = ("fixes", "camera", "output", "speedups")
 
 REQUIRED_FIELDS = ("Description", "Author", "Origin", "Forwarded", "Last-Update", "Hooks", "Tests")
 
-# A hook is a line or two. A larger patch gives its reason in the header field "Size-Reason", up to a second limit.
+# A larger patch gives its reason in the header field "Size-Reason", up to a second limit.
 LINE_BUDGET = 40
 LINE_BUDGET_WITH_REASON = 80
-# A fix is complete in itself, so that it can be sent: more than some lines of code are a file that it adds.
+# A fix must be complete to be sent: longer code is a file that it adds.
 NEW_FILE_BUDGET = 250
 
-# words of the first sentence of a description, which is the reason
+# words of a description's first sentence, the reason
 SENTENCE_BUDGET = 32
 
 
 def series(folder):
-    """The names that the series lists, in order; "#" starts a comment."""
+    """ "#" starts a comment."""
     lines = (folder / "series").read_text(encoding="utf-8").splitlines()
     names = (line.split("#", 1)[0].strip() for line in lines)
     return [name for name in names if name]
@@ -46,7 +45,7 @@ def listed_patches(folder):
 
 
 def header_fields(text):
-    """The DEP-3 fields before the first file: name -> value, continued lines joined."""
+    """DEP-3 fields before the first file, continued lines joined."""
     fields = {}
     current = None
     for line in text.splitlines():
@@ -62,12 +61,11 @@ def header_fields(text):
 
 
 def new_files(text):
-    """Name and number of lines of each file that the patch creates."""
     return [(name, int(lines)) for name, lines in re.findall(r"^\+\+\+ b/(\S+)\n@@ -0,0 \+1,(\d+) @@$", text, re.MULTILINE)]
 
 
 def changed_lines(text, sign):
-    """The lines that the patch adds ("+") or removes ("-"), without the sign."""
+    """Returns lines without their sign."""
     in_hunk = False
     for line in text.splitlines():
         if line.startswith("@@"):
@@ -81,7 +79,7 @@ def changed_lines(text, sign):
 
 
 def check_list(folder):
-    """Every listed file exists in one of the folders, none is listed twice, no file is left out."""
+    """Listed files exist once, none is left out."""
     names = series(folder)
     for name in sorted(set(names)):
         if names.count(name) > 1:
@@ -103,7 +101,6 @@ def check_list(folder):
 
 
 def check_headers(folder):
-    """The fields of DEP-3 and our two fields exist and are not empty; dates are valid."""
     for name, text in listed_patches(folder):
         fields = header_fields(text)
         for field in REQUIRED_FIELDS:
@@ -144,7 +141,6 @@ def check_size(folder):
 
 
 def check_style(folder):
-    """No white space at line ends, no change of white space alone, no binary file."""
     for name, text in listed_patches(folder):
         added = list(changed_lines(text, "+"))
         removed = list(changed_lines(text, "-"))
@@ -159,7 +155,7 @@ def check_style(folder):
 
 
 def check_tests(folder, build):
-    """The tests that the headers name exist: names of CTest, with * for any letters."""
+    """Headers name existing tests of CTest; * for any letters."""
     listed = subprocess.run(["ctest", "-N"], cwd=build, stdout=subprocess.PIPE, text=True, check=True).stdout
     known = re.findall(r"^ *Test +#\d+: (\S+)", listed, re.MULTILINE)
     for name, text in listed_patches(folder):

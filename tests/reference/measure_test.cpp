@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The comparison accepts noise and nothing else.
-
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -32,7 +30,7 @@ Picture Noisy(int width, int height, double deviation, unsigned seed)
     return picture;
 }
 
-/// The mean of sixteen noisy pictures, as update_references.py stores it.
+/// Mean of sixteen noisy pictures, as stored.
 Reference NoisyReference(double deviation)
 {
     std::vector<Picture> batches;

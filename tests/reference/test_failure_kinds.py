@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Every kind of failure is distinguished, with a stand-in for the program that renders and the test's own
-references."""
+"""Every kind of failure, with a stand-in for the program that renders."""
 
 import os
 import pathlib
@@ -56,7 +55,6 @@ class FailureKinds(unittest.TestCase):
         manifest.save({NAME: record} if record else {}, self.references)
 
     def check(self, script, *more):
-        """Runs check_picture.py with a stand-in script. Returns exit code and messages."""
         stand_in = self.folder / "stand_in"
         stand_in.write_text("#!/bin/sh\n" + script + "\n")
         stand_in.chmod(0o755)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file message_order_test.cpp
-/// The console prints messages in the order in which they were sent, even within one millisecond.
+/// The console prints messages in order, even within one millisecond.
 
 #include <string>
 #include <vector>
@@ -14,7 +14,7 @@
 namespace
 {
 
-/// A session without a renderer, whose clock stands still: all messages are of the same millisecond.
+/// The session's clock stands still.
 class StandingClock : public vfePlatform::vfeUnixSession
 {
   public:

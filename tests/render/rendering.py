@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Small renders for tests: runs POV-Ray on a scene, decodes the picture, and describes it when a test fails."""
+"""Small renders for tests."""
 
 import argparse
 import array
@@ -23,8 +23,6 @@ HEAD = "#version 3.7; global_settings { assumed_gamma 1 }\n"
 
 @dataclasses.dataclass
 class Picture:
-    """Decoded pixels, linear, row by row from the top."""
-
     width: int
     height: int
     names: list  # of the channels
@@ -51,14 +49,13 @@ class Picture:
 
 
 def read_pixels(path):
-    """Width, height, type of values and names of the channels, and the values as stored."""
+    """Width, height, type, names of the channels, stored values."""
     head, data = povray_run.pixels(SETTINGS.compare, path).split(b"\n", 1)
     width, height, _, form, *names = head.decode().split()
     return int(width), int(height), form, names, data
 
 
 def read_picture(path, told):
-    """Decodes a picture whose channels are all of one type."""
     width, height, form, names, data = read_pixels(path)
     code, scale = {"uint8": ("B", 255.0), "uint16": ("H", 65535.0), "half": ("e", 1.0), "float": ("f", 1.0)}[form]
     if code == "e":
@@ -77,7 +74,6 @@ class Job:
     extension: str = "png"
 
     def command(self):
-        """The command line, run in a folder of its own."""
         kind = {"png": "+FN16", "exr": "+FE"}[self.extension]
         return povray_run.command(
             SETTINGS.povray,
@@ -91,22 +87,19 @@ class Job:
         )
 
     def told(self):
-        """The command and the scene, for messages."""
         return f"{' '.join(self.command())}\n{HEAD}{self.scene.strip()}\n"
 
     def write(self, folder):
-        """Writes the scene into the folder."""
         (folder / "scene.pov").write_text(HEAD + self.scene)
 
     def start(self, folder):
-        """Starts POV-Ray in the folder."""
         self.write(folder)
         return povray_run.start(self.command(), folder)
 
     def attempt(self, folder, before=(), **how):
-        """Exit code and messages of POV-Ray in the folder, even if it refuses. Fails a test if it does not end.
-        @param before  words of a command that starts POV-Ray
-        @param how     for povray_run.run()"""
+        """Exit code and messages, even of a refusal. Fails if POV-Ray does not end.
+        @param before words of a command that starts POV-Ray
+        @param how for povray_run.run()"""
         self.write(folder)
         done = povray_run.run([*before, *self.command()], folder, **how)
         if done.code is None:
@@ -114,7 +107,7 @@ class Job:
         return done.code, done.said
 
     def stop(self, folder, number, kept):
-        """Starts POV-Ray in the folder, and ends it by a signal when its state file holds more than `kept` bytes."""
+        """Kills POV-Ray when its state file exceeds `kept` bytes."""
         end = time.monotonic() + PATIENCE
         with self.start(folder) as process:
             while process.poll() is None and time.monotonic() < end:
@@ -128,7 +121,7 @@ class Job:
             raise AssertionError(f"it ended before it could be stopped, exit code {process.returncode}\n{self.told()}{said[-1500:]}")
 
     def run(self, folder):
-        """Renders in the folder; returns POV-Ray's messages. Fails a test if there is no picture."""
+        """Returns POV-Ray's messages. Fails without a picture."""
         code, said = self.attempt(folder)
         if code != 0 or not (folder / f"picture.{self.extension}").is_file():
             raise AssertionError(f"exit code {code}\n{self.told()}{said[-1500:]}")
@@ -143,7 +136,6 @@ def render(scene, *options, **how):
 
 
 def render_and_listen(scene, *options, **how):
-    """The picture of a scene, and POV-Ray's messages."""
     job = Job(scene, options, **how)
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         said = job.run(pathlib.Path(name))
@@ -161,12 +153,9 @@ def difference(a, b):
 
 
 class RenderTest(unittest.TestCase):
-    """Assertions on pictures; their messages hold commands and scenes."""
-
     longMessage = False
 
     def assert_same(self, a, b, what=""):
-        """All channels of all pixels are equal, and the picture is not empty."""
         rms, largest = difference(a, b)
         if largest != 0.0:
             off = [i // len(a.names) for i, (u, v) in enumerate(zip(a.values, b.values)) if u != v]
@@ -177,9 +166,7 @@ class RenderTest(unittest.TestCase):
         self.assertGreater(len(set(a.values)), 8, f"{what}: an empty picture shows nothing\n{a.told}")
 
     def assert_same_in_parts(self, scene, *options, first, last, **size):
-        """The same pixels by one thread and by several, in other tiles, and in a render of some rows only.
-        @param first, last  of these rows, from 1
-        @return the whole picture"""
+        """Equal for one thread and several, other tiles, and some rows (`first` to `last`, from 1). Returns the whole picture."""
         whole = render(scene, "+WT1", *options, **size)
         self.assert_same(render(scene, "+WT3", "+BS13", *options, **size), whole, "threads")
         part = render(scene, f"+SR{first}", f"+ER{last}", *options, **size)
@@ -188,14 +175,12 @@ class RenderTest(unittest.TestCase):
         return whole
 
     def assert_near(self, a, b, rms, what=""):
-        """Root mean square difference at most rms."""
         found, largest = difference(a, b)
         self.assertLessEqual(
             found, rms, f"{what}: RMS difference {found:g}, allowed {rms:g}, largest {largest:g}\n" f"{a.told}--- and\n{b.told}"
         )
 
     def assert_different(self, a, b, rms, what=""):
-        """Root mean square difference at least rms: shows that a test of equality can fail."""
         found, _ = difference(a, b)
         self.assertGreater(found, rms, f"{what}: RMS difference only {found:g}\n{a.told}--- and\n{b.told}")
 
@@ -205,7 +190,6 @@ class RenderTest(unittest.TestCase):
 
 
 def main():
-    """Runs the tests of the calling module."""
     parser = argparse.ArgumentParser(add_help=False)
     parser.add_argument("--povray", required=True)
     parser.add_argument("--compare", required=True)

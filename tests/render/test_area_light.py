@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""One point of an area light per ray gives the soft shadows of the whole grid with fewer shadow rays."""
+"""One point of an area light per ray gives the soft shadows of the whole grid."""
 
 import re
 
@@ -37,7 +37,7 @@ class AreaLight(rendering.RenderTest):
         for name, area in LIGHTS.items():
             with self.subTest(name):
                 world = light(area) + FLOOR + THINGS
-                # too small a lens to blur: only the light's points differ from a pinhole's picture
+                # a lens too small to blur
                 lens = rendering.render(scenes.camera("", 1e-6, samples) + world, **SIZE)
                 pinhole = rendering.render(f"camera {{ {scenes.VIEW} }}\n" + world, "+A0.0", "+AM1", "+R7", "-J", **SIZE)
                 hard = rendering.render(

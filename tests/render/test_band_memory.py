@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Layers of a band of a huge picture take memory for the band alone."""
+"""Layers of a band of a huge picture take memory for that band."""
 
 import pathlib
 import tempfile
@@ -25,7 +25,6 @@ def memory(*options):
 
 class BandMemory(unittest.TestCase):
     def test_layers_of_a_band(self):
-        """The layers' memory is far below that of the whole picture's; the file writer's buffers hold some rows."""
         added = memory("+N") - memory()
         self.assertLess(added, WHOLE / 8, f"{added / 1e6:.0f} MB more with +N")
 

@@ -1,7 +1,5 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Declared and transformed cameras, and scenes that are transformed as a whole."""
-
 from tests.render import rendering, scenes
 
 LENSES = {
@@ -20,7 +18,6 @@ TURN = "rotate <10, 30, -5> translate <1, -2, 3> "
 
 
 def camera_of(name, tail="", samples=SAMPLES):
-    """One of LENSES, optionally followed by transformations."""
     physical = "focal_length" in LENSES[name]
     view = NO_ANGLE if physical else scenes.VIEW
     aperture = "" if physical else "aperture 0.3 "
@@ -32,8 +29,7 @@ def declared(camera, tail=""):
 
 
 def moved_world(tail):
-    """Objects that glow, because POV-Ray's shadows and reflections have absolute tolerances, which would show at
-    another scale."""
+    """Objects glow, because POV-Ray's shadows and reflections have absolute tolerances."""
     return (
         "#default { finish { ambient 1 diffuse 0 } }\nunion {\n"
         "  plane { y, 0 pigment { checker rgb <0.9, 0.8, 0.7> rgb <0.1, 0.3, 0.5> } }\n"
@@ -51,7 +47,7 @@ class Declared(rendering.RenderTest):
                 self.assert_same(rendering.render(declared(camera_of(name)) + scenes.WORLD, **SIZE), plain, name)
 
     def test_block_behind_the_identifier(self):
-        """It replaces the declared camera's block, and leaves the declared camera unchanged."""
+        """The declared camera stays unchanged."""
         view = camera_of("plane").split("tilt_lens")[0]
         for name in ("lens turned", "focus turned", "points"):
             for before in ("", "tilt_lens { tilt -7 blades 3 }"):
@@ -83,7 +79,7 @@ class Declared(rendering.RenderTest):
 
 
 class Together(rendering.RenderTest):
-    """Camera and world transformed alike: the same picture up to rounding at edges."""
+    """The same picture up to rounding at edges."""
 
     stills = {}
 
@@ -126,7 +122,6 @@ class Together(rendering.RenderTest):
 
 class Alpha(rendering.RenderTest):
     def test_coverage(self):
-        """A bright disc out of focus: opaque inside, clear outside, partial at the rim."""
         scene = (
             scenes.camera("tilt 3", samples="blur_samples 256 variance 0 ", view="location -4*z focal_point 0 angle 45 ")
             + """
@@ -139,7 +134,7 @@ class Alpha(rendering.RenderTest):
         self.assertEqual((alpha[0], alpha[24 * 64 + 32]), (0.0, 1.0), told)
         self.assertTrue(all(0.0 <= a <= 1.0 for a in alpha), told)
         self.assertGreater(sum(0.05 < a < 0.95 for a in alpha), 30, told)
-        # background light in partly covered pixels would make a halo
+        # background light would make a halo
         for a, r, b in zip(alpha, red, blue):
             self.assertLess(abs(r - a), 0.01, f"red {r}, coverage {a}\n{told}")
             self.assertLess(abs(b - 0.25 * a), 0.01, f"blue {b}, coverage {a}\n{told}")

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Aberrations of a lens as rendered: vignetting, distortion, field curvature, colour fringes, against the laws in docs/manual.md."""
+"""Aberrations as rendered, against the laws in docs/manual.md."""
 
 import math
 import pathlib
@@ -26,7 +26,7 @@ def camera(items, aperture=0.5, samples=SAMPLES):
 
 
 def place(x, y):
-    """A pixel's centre in half widths of the film, from the picture's centre: right, up."""
+    """In half widths of the film, from the centre: right, up."""
     return 2 * (x + 0.5) / WIDTH - 1, (HEIGHT - 2 * (y + 0.5)) / WIDTH
 
 
@@ -40,7 +40,6 @@ def layers_of(scene):
 
 
 def middle_of(picture, channel):
-    """Centroid of a channel's light, as place()."""
     weights = [(place(x, y), picture.pixel(x, y)[channel]) for y in range(HEIGHT) for x in range(WIDTH)]
     light = sum(weight for _, weight in weights)
     return [sum(at[axis] * weight for at, weight in weights) / light for axis in (0, 1)]
@@ -64,9 +63,9 @@ class Vignetting(rendering.RenderTest):
         for x, y in ((0, 0), (63, 47), (63, 20), (31, 23)):
             half = 0.5 * math.hypot(*place(x, y)) / corner  # half the distance of two unit circles
             shared = 2 / math.pi * (math.acos(half) - half * math.sqrt(1 - half * half))
-            # focused at 10 units, the rim's shadow is a little larger than the aperture
+            # focused at 10, the rim's shadow is slightly larger than the aperture
             self.assertAlmostEqual(picture.pixel(x, y)[0] / 0.5, shared, delta=0.04)
-        # uniform light has no noise: opposite pixels are equal
+        # uniform light: opposite pixels are equal
         for x, y in ((0, 0), (5, 40)):
             self.assertAlmostEqual(picture.pixel(x, y)[0], picture.pixel(WIDTH - 1 - x, HEIGHT - 1 - y)[0], delta=0.002)
 
@@ -85,7 +84,7 @@ class Distortion(rendering.RenderTest):
             self.assertAlmostEqual(values["depth.Z"], 20, places=4)
 
     def test_near(self):
-        """At the focus distance D in units of 100 mm the coefficient is K1 + NEAR f/D."""
+        """Focus at D in units of 100 mm: the coefficient is K1 + NEAR f/D."""
         film = 18 / HALF  # mm from the lens
         for distance in (10, 1.5):
             view = VIEW.replace("look_at <0, 0, 10>", f"look_at <0, 0, {distance}>")
@@ -122,7 +121,7 @@ class Distortion(rendering.RenderTest):
 
 class FieldCurvature(rendering.RenderTest):
     def test_layers_have_the_blur(self):
-        # the plane of sharp focus is at 10; at half a film's width 1/Z is greater by sag/s^2
+        # plane of sharp focus: 10; at half a film's width 1/Z grows by sag/s^2
         at = layers_of(camera("field_curvature 0.3") + "plane { z, 10 pigment { rgb 1 } }\n")
         s = 18 / HALF  # mm
         for x, y in ((0, 23), (63, 24), (31, 23), (31, 0)):
@@ -145,7 +144,7 @@ class Colours(rendering.RenderTest):
             **SIZE,
         )
         red, green, blue = (middle_of(picture, channel)[0] for channel in range(3))
-        # the centres of the outer thirds are 2/3 of the way to the spectrum's ends
+        # centres of the outer thirds: 2/3 of the way to the spectrum's ends
         self.assertAlmostEqual(red / green - 1, 2 / 3 * 0.05, delta=0.008)
         self.assertAlmostEqual(1 - blue / green, 2 / 3 * 0.05, delta=0.008)
 
@@ -161,7 +160,6 @@ class Sampling(rendering.RenderTest):
         self.assert_same(rendering.render(scenes.camera("tilt 4 " + off) + scenes.WORLD, **SIZE), without, "off")
 
     def test_focus_aids(self):
-        """One ray per pixel through the layers' points."""
         world = "plane { z, 10 pigment { rgb 1 } finish { emission 1 diffuse 0 } }\n"
         flat = rendering.render(camera("focus_peaking rgb <1, 0, 0>") + world, **SIZE)
         bent = rendering.render(camera("focus_peaking rgb <1, 0, 0> field_curvature 2") + world, **SIZE)

@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A lens of which half sees the scene through water or glass. The first samples of nearly all pixels fill both
-halves evenly; the remaining pixels must be sampled further."""
+"""Half of the lens sees water or glass. The first samples of nearly all pixels fill both halves evenly; the rest needs more."""
 
 from tests.render import rendering
 
@@ -23,7 +22,7 @@ SURFACES = {
 
 
 def stand_out(picture, width, height):
-    """Inner pixels whose green is below 0.7 of the minimum of their eight neighbours, or above 1.4 of the maximum."""
+    """Green below 0.7 of the least of eight neighbours, or above 1.4 of the greatest."""
     green = picture.channel("G")
     found = []
     for y in range(2, height - 2):

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A small light out of focus shows the shape of the diaphragm; its moments agree with closed forms."""
+"""Blurred light has the shape of the diaphragm; moments agree with closed forms."""
 
 import math
 
@@ -13,7 +13,7 @@ SAMPLES = "blur_samples 256, 256 variance 0 "
 
 
 def moments(lens, aperture=2.4):
-    """Sum of light, and mean squares of the distances from its centroid: across, along, in pixels."""
+    """Light, and mean squares across and along, pixels."""
     picture = rendering.render(scenes.camera("scene_unit 10 " + lens, aperture, SAMPLES, VIEW) + LIGHT, **SIZE)
     places = [(x, y, picture.pixel(x, y)[0]) for y in range(picture.height) for x in range(picture.width)]
     light = sum(value for _, _, value in places)
@@ -22,7 +22,7 @@ def moments(lens, aperture=2.4):
 
 
 def mean_square_radius(blades, curvature):
-    """Mean square radius of an opening with curved blades and corners on the unit circle, by integration over the angle."""
+    """Curved blades, corners on the unit circle; integrated over the angle."""
     steps, fourth, second = 4000, 0.0, 0.0
     half, middle = math.sin(math.pi / blades), math.cos(math.pi / blades)
     for i in range(steps):
@@ -40,8 +40,8 @@ def mean_square_radius(blades, curvature):
 
 class Diaphragm(rendering.RenderTest):
     def test_squeeze(self):
-        """Against the round lens of the longer diameter: one side equal, the other divided by the ratio."""
-        # subtracts the sizes of pixels and light, which a tiny lens shows
+        """One side equal, the other divided by the ratio."""
+        # size of pixels and light, shown by a tiny lens
         _, dot_x, dot_y = moments("", 0.0001)
         light, x, y = moments("")
         for lens, ratio in (("", 2), ("", 0.5), ("tilt 8 ", 2), ("swing 8 shift <2, 1> ", 1.5)):

@@ -1,17 +1,17 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Small lamps far brighter than white are found, and reach the requested variance, both sharp and far out of focus."""
+"""Small lamps far brighter than white reach the requested variance, sharp or blurred."""
 
 from tests.render import rendering, scenes
 
 GLOW = "pigment { rgb <1, 0.8, 0.5> } finish { ambient 0 diffuse 0 emission 30 }"
-# texture maps are ignored, so that these lamps are not known as emitters
+# texture maps hide lamps from the list of emitters
 UNKNOWN = f"texture {{ gradient x texture_map {{ [0 {GLOW}] [1 {GLOW}] }} }}"
 SIZE = {"width": 40, "height": 30}
 
 
 def lamps(glow):
-    """Rows of lamps from before the plane of focus to far behind it, each kind of object, one of them hidden."""
+    """From before the plane of focus to far behind it; one hidden."""
     return f"""
 #for (I, 0, 5)
   #for (J, -3, 3)
@@ -33,7 +33,7 @@ def scene(samples, glow=GLOW, lens="focus_tilt 20 scene_unit 100"):
 
 
 def clipped_error(picture, truth):
-    """Mean square error per channel as displayed, and the share of pixels off by more than 2 sqrt(1e-4)."""
+    """As displayed; and the share of pixels off by more than 2 sqrt(1e-4)."""
     channels = len(picture.names)
     errors = [(min(1.0, a) - min(1.0, b)) ** 2 for a, b in zip(picture.values, truth.values)]
     pixels = [max(errors[i : i + channels]) for i in range(0, len(errors), channels)]
@@ -51,7 +51,7 @@ class Emitters(rendering.RenderTest):
                 self.assertLess(beyond, 0.05, f"{lens}: {beyond:.1%}")
 
     def test_known_lamps_take_fewer_rays(self):
-        """With at most 32 samples a pixel, lamps that are not known as emitters are far noisier."""
+        """At 32 samples a pixel, unknown lamps are far noisier."""
         asked = "blur_samples 8, 32 variance 1/10000 "
         truth = rendering.render(scene("blur_samples 1024, 1024 variance 0 "), **SIZE)
         known, unknown = (clipped_error(rendering.render(scene(asked, glow), **SIZE), truth)[0] for glow in (GLOW, UNKNOWN))

@@ -1,19 +1,16 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The default settings are no worse than fixed sampling: in random scenes, a picture has no more error than one that takes
-as many rays in each pixel. Lamps of random radiance, size and blur are told by a finish or a texture_map or shown by a
-mirror, and hidden in part by random edges.
+"""In random scenes, the default settings have no more error than fixed sampling with as many rays in each pixel. Lamps of random radiance,
+size and blur are told by a finish or a texture_map or shown by a mirror.
 
-    fixed_sampling.py --povray PROGRAM --compare TOOL [--scenes COUNT] [--seeds COUNT] [--scene NUMBER | --show NUMBER]
+fixed_sampling.py --povray PROGRAM --compare TOOL [--scenes COUNT] [--seeds COUNT] [--scene NUMBER | --show NUMBER]
 
-*The comparison.* Pictures d and f of one seed share their first samples; R is an independent reference without bias. The
-sum of (d - R)^2 - (f - R)^2 over the pixels is the difference of their errors. R's noise cancels but for its product with
-d - f, so R may be noisy. The excess is this sum over that of (d - R)^2 + (f - R)^2: between -1 and 1, and above zero where
-the default has more error. Fixed sampling takes the default's rays, rounded down.
+*The comparison.* Pictures d and f share their first samples; R is an independent unbiased reference; its noise cancels but for its product
+with d - f. The sum of (d - R)^2 - (f - R)^2 is the difference of their errors. The excess is this sum over that of (d - R)^2 + (f - R)^2,
+and above zero where the default is worse. Fixed sampling takes the default's rays, rounded down.
 
-*The margin.* The standard error of the mean excess follows from the differences between seeds and from R's noise. A scene
-fails if its mean is above zero by more than Student's quantile times that. If both errors are the same, the chance that
-any scene fails is one in a hundred (Sidak)."""
+*The margin.* The standard error of the mean excess follows from the seeds and from R's noise. A scene fails above Student's quantile
+times that. For equal errors, any scene fails with probability one in a hundred (Sidak)."""
 
 import argparse
 import concurrent.futures
@@ -50,7 +47,6 @@ def lamp(r, aperture, mirrored):
 
 
 def edge(r):
-    """A board that hides a part of the scene."""
     return (
         f"box {{ <0, -9, 0>, <{r.uniform(0.3, 4):.3f}, 9, 0.02> pigment {{ rgb {r.uniform(0, 0.5):.3f} }} finish {{ emission 1 diffuse 0 }}"
         f" rotate {r.uniform(0, 360):.2f}*z translate <{r.uniform(-3, 3):.3f}, {r.uniform(-2, 2):.3f}, {r.uniform(-6, 0.9):.3f}> }}\n"
@@ -58,7 +54,6 @@ def edge(r):
 
 
 def world(number):
-    """Random objects before the camera, and the aperture."""
     r = random.Random(number)
     aperture, mirrored = r.uniform(0.5, 3), r.random() < 0.3
     wall = (
@@ -78,15 +73,12 @@ def scene(number, seed, samples=""):
 
 
 def picture(number, seed, samples=""):
-    """The values of the picture, and the rays of a pixel."""
     made, said = rendering.render_and_listen(scene(number, seed, samples), "+WT1", width=WIDTH, height=HEIGHT, extension="exr")
     rays = float(re.search(r"Samples per pixel\D+([\d.]+)", said).group(1))
     return [value for name in "RGB" for value in made.channel(name)], rays
 
 
 class Reference:
-    """The mean of two pictures, and its noise."""
-
     def __init__(self, number, rays):
         samples = max(LEAST_REFERENCE, FINER * rays)
         one, two = (picture(number, seed, f"blur_samples {samples}, {samples} variance 0")[0] for seed in REFERENCE_SEEDS)
@@ -98,7 +90,7 @@ class Reference:
         return [min(1.0, values[i]) for i in self.kept]
 
     def error(self, values):
-        """Mean square error without the reference's own."""
+        """The reference's own error is subtracted."""
         return statistics.fmean((a - b) ** 2 - noise for a, b, noise in zip(self.shown(values), self.truth, self.noise))
 
     def excess(self, values, others):
@@ -110,15 +102,14 @@ class Reference:
 
 
 class Excess:
-    """Excess of the errors of some pictures over those of others with the same seeds; one of so many `tests`, of
-    which hardly any may fail by chance."""
+    """Excess over pictures with the same seeds; one of so many `tests`, of which hardly any may fail by chance."""
 
     def __init__(self, reference, pictures, others, tests):
         excesses, given = zip(*map(reference.excess, pictures, others))
         self.errors = [statistics.fmean(map(reference.error, made)) for made in (pictures, others)]
         self.mean = statistics.fmean(excesses)
         count = len(excesses)
-        # the reference is the same for all seeds: its part is no smaller in their mean
+        # all seeds share the reference, so its part does not average out
         by_seeds, by_reference = statistics.variance(excesses) / count, statistics.fmean(given)
         variance = by_seeds + by_reference
         freedom = (count - 1) * (variance / by_seeds) ** 2 if by_seeds > 0.0 else math.inf
@@ -142,7 +133,6 @@ def evenly(number, samples):
 
 
 def compare(number, tests):
-    """A scene's excess, and the rays that made it, in words."""
     default, rays = zip(*[picture(number, seed) for seed in seeds()])
     samples = max(1, int(statistics.fmean(rays)))
     found = Excess(Reference(number, samples), default, evenly(number, samples), tests)
@@ -165,7 +155,7 @@ class FixedSampling(rendering.RenderTest):
         )
 
     def test_the_comparison_finds_an_eighth_of_the_rays(self):
-        """Shows that it can fail."""
+        """Shows that the comparison can fail."""
         found = Excess(Reference(1, 16), evenly(1, 2), evenly(1, 16), SETTINGS.scenes)
         self.assertTrue(found.is_found, found.told())
 

@@ -9,7 +9,7 @@ import tempfile
 
 from tests.render import rendering, scenes
 
-# four squares: values above and below half's range, one with more digits than half has, and white
+# values outside half's range, one with more digits than half, and white
 CAMERA = "camera { orthographic location -z look_at 0 right 4*x up y }\n"
 VALUES = (123456.75, 1e-9, 0.7071067690849304, 1.0)
 SQUARES = CAMERA + "".join(
@@ -43,7 +43,6 @@ class FloatColour(rendering.RenderTest):
             self.assertNotAlmostEqual(seen.pixel(0, 0)[0], VALUES[0], delta=1.0)
 
     def test_same_picture_as_half(self):
-        """The colours, alpha and gamma of 16 bits, up to precision."""
         for options in ((), ("+UA",), ("File_Gamma=2.2",)):
             scene = scenes.TILTED.replace("background { rgb <0.3, 0.5, 0.8> }", "")
             many, few = picture(scene, "+FE32", *options)[0], picture(scene, *options)[0]
@@ -52,7 +51,7 @@ class FloatColour(rendering.RenderTest):
                 self.assertAlmostEqual(a, b, delta=1e-7 + 6e-4 * abs(a))
 
     def test_other_formats_are_unchanged(self):
-        """Upstream treats 32 as 16 there; existing command lines must still work, with a warning."""
+        """Upstream treats 32 as 16 there: existing command lines must still work."""
         wanted = rendering.render(SQUARES, "+FN16", **SIZE)
         self.assertEqual(rendering.render(SQUARES, "+FN32", **SIZE).values, wanted.values)
         for option in ("+FN32", "+FT32", "+FP32", "+FB32", "+FJ32", "+FH32"):

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""focus_peaking, focus_map and show_planes: their pixels and their cost."""
+"""focus_peaking, focus_map, show_planes: pixels and cost."""
 
 import functools
 import math
@@ -19,18 +19,15 @@ AIDS = (PEAKING, "focus_map ", "show_planes ", "show_planes focus_peaking rgb <1
 
 @functools.cache
 def picture(aid, *options, lens=LENS, world=scenes.WORLD, **how):
-    """The scene with an aid in its camera; rendered once."""
     return rendering.render(scenes.camera(lens + aid) + world, *options, **{**SIZE, **how})
 
 
 def pinhole(world=scenes.WORLD, lens=LENS, **how):
-    """The same frame through a pinhole."""
     return rendering.render(f"camera {{ {scenes.VIEW} tilt_lens {{ {lens} }} }}\n" + world, **{**SIZE, **how})
 
 
 def wall(distance, aid, width=64, height=48):
-    """A black wall parallel to the film, focus at 10. Its blur is |1/Z - 1/10| times diameter times film distance in pixels, here 0.5 * 1 *
-    64."""
+    """A black wall; its blur is |1/Z - 1/10| times diameter times film distance in pixels: 0.5 * 1 * 64."""
     scene = (
         f"camera {{ location 0 direction z right x up 0.75*y aperture 1 focal_point 10*z tilt_lens {{ {aid} }} }}\n"
         f"plane {{ z, {distance} pigment {{ rgb 0 }} }}\n"
@@ -67,7 +64,7 @@ class Repeatable(rendering.RenderTest):
 
 class Peaking(rendering.RenderTest):
     def count_tinted(self, drawn, plain):
-        """Counts tinted pixels; all others must equal the plain picture's."""
+        """Other pixels must equal the plain picture's."""
         tinted = 0
         for i in range(plain.width * plain.height):
             x, y = i % plain.width, i // plain.width
@@ -85,12 +82,12 @@ class Peaking(rendering.RenderTest):
         self.assertTrue(300 < tinted < 9000, f"{tinted} pixels are tinted\n{sharp.told}")
 
     def test_an_area_light_lights_with_all_its_points(self):
-        """With one ray per pixel, that ray must use all points of an area light."""
+        """The rule holds also with one ray per pixel."""
         tinted = self.count_tinted(picture(PEAKING, world=AREA_LIT), pinhole(world=AREA_LIT))
         self.assertGreater(tinted, 300)
 
     def test_the_pixels_of_blur(self):
-        """A wall with a blur of 1.05 pixels, with a limit of 1 and of 1.1, from both sides."""
+        """A blur of 1.05 pixels, limits of 1 and 1.1, both sides."""
         for distance in (7.53, 14.9):
             for limit, tint in (("", 0.0), (", 1", 0.0), (", 1.1", 0.5), (", 0.9", 0.0)):
                 with self.subTest(distance=distance, limit=limit):
@@ -130,13 +127,12 @@ class Map(rendering.RenderTest):
         self.assertGreater(min(seen.pixel(5, 5)), 0.9, seen.told)
 
     def test_colour_matches_the_scale(self):
-        """A wall's colour is in the scale's bar at the position of its blur."""
         for distance, name in ((7.0, "before"), (16.0, "behind")):
             with self.subTest(distance=distance):
                 seen, blur = wall(distance, "focus_map", 640, 480)
                 blur *= 10  # ten times as many pixels
                 place = math.copysign(math.log1p(abs(blur)) / math.log1p(64), blur)
-                # the box leaves 2 dots of 2 pixels around it; the bar begins 2 + 6 dots in
+                # 2 dots around the box; the bar begins at 2 + 6
                 left, right = 4 + 16, 640 - 4 - 16
                 column = round(left + 0.5 * (place + 1) * (right - left) - 0.5)
                 row = 480 - 4 - 2 * (2 + 5 + 2 + 2)
@@ -162,7 +158,7 @@ class Map(rendering.RenderTest):
 
 class Planes(rendering.RenderTest):
     def test_hidden_behind_nearer_surfaces(self):
-        """Where the scene is nearer than all three surfaces, the picture is a pinhole's; elsewhere it differs."""
+        """Before all three surfaces, the picture is a pinhole's."""
         lens = "tilt 0 "
         near = "sphere { <0.4, 1.5, -4> + 0.6*(<0, 0.5, 0.5> - <0.4, 1.5, -4>), 0.3 pigment { rgb 0.6 } }\n"
         seen, plain = (picture("show_planes", lens=lens, world=scenes.WORLD + near), pinhole(scenes.WORLD + near, lens))
@@ -172,7 +168,7 @@ class Planes(rendering.RenderTest):
         self.assertNotEqual(seen.pixel(*behind), plain.pixel(*behind), seen.told)
 
     def test_each_surface_at_its_depth(self):
-        """A black wall moved through the three surfaces covers each once passed."""
+        """A black wall moved through the surfaces covers each in turn."""
         tints = []
         for distance in (6.0, 9.0, 10.9, 12.0, 50.0):  # limits of one pixel: 7.62 and 14.5
             seen, blur = wall(distance, "show_planes")
@@ -185,7 +181,7 @@ class Planes(rendering.RenderTest):
         self.assertGreater(fourth[2] - fourth[0], third[2] - third[0] + 0.02, "then the far limit: blue")
 
     def test_wedge_meets_in_the_hinge(self):
-        """From a tilted lens, no surface is visible above the hinge's horizon, and all three below it."""
+        """Above the hinge's horizon none is visible, below it all three."""
         scene = (
             "camera { location 0 direction z right x up 0.75*y aperture 1 focal_point <0, 0, 10> "
             "tilt_lens { focus_tilt 80 show_planes } }\n"
@@ -203,7 +199,6 @@ class Planes(rendering.RenderTest):
 
 class Cost(rendering.RenderTest):
     def test_one_ray_a_pixel(self):
-        """No more rays than a pinhole picture, by the program's own count."""
         rays = {}
         for name, scene in {
             "pinhole": f"camera {{ {scenes.VIEW} tilt_lens {{}} }}\n" + scenes.WORLD,

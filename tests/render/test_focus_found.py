@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Points found by focus_on and focus_at are sharp in the picture; sample_seed changes only the noise."""
+"""Points of focus_on and focus_at are sharp; sample_seed changes only the noise."""
 
 from tests.render import rendering, scenes
 from tests.render.test_layers import Rendered
@@ -17,7 +17,7 @@ def camera(items, before="", samples=SAMPLES):
 
 class Found(rendering.RenderTest):
     def blur_at(self, text, x, y):
-        """Blur in pixels at a place from 0 to 1."""
+        """At a place from 0 to 1."""
         return Rendered(text + scenes.WORLD, width=160, height=120).at("blur", int(160 * x), int(120 * (1 - y)))
 
     def test_a_place_is_sharp(self):

@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Lenses of glass as rendered: uniform light, vignetting, sharpness with tilt and shift, layers, and the lenses of
-scenes/include/lenses."""
+"""Lenses of glass as rendered."""
 
 import csv
 import math
@@ -23,7 +22,7 @@ WORLD = "plane { z, 10 pigment { checker rgb 0.2 rgb 1 scale 0.5 } finish { emis
 
 
 def camera(items, samples=SAMPLES, view=VIEW, unit=100):
-    """A camera at the origin that looks along z; one unit is 10 cm."""
+    """Looks along z; one unit is 10 cm."""
     return f"camera {{ {view}{samples}tilt_lens {{ scene_unit {unit} {items} }} }}\n"
 
 
@@ -41,7 +40,6 @@ def said(scene):
 
 class EvenLight(rendering.RenderTest):
     def test_uniform_without_vignetting(self):
-        """Stopped down no rim vignettes: every pixel has the background's colour."""
         for items in ("f_stop 11", "f_stop 8 tilt 1", "f_stop 16 blades 5, 20 blade_curvature 0.5", "f_stop 16 squeeze 2 tilt 2 swing 1"):
             picture = render(camera(GAUSS + items) + EVEN)
             self.assertEqual(set(zip(*(picture.channel(name) for name in "RGB"))), {(0.5, 2.0, 0.125)}, picture.told)
@@ -55,12 +53,12 @@ class EvenLight(rendering.RenderTest):
             for y in range(HEIGHT // 2):
                 for other in ((WIDTH - 1 - x, y), (x, HEIGHT - 1 - y)):
                     self.assertAlmostEqual(level(x, y), level(*other), delta=0.003, msg=picture.told)
-                # monotonous from the corner to the centre, in small steps
+                # monotonous to the centre, in small steps
                 self.assertGreater(level(x + 1, y), level(x, y) - 0.002)
                 self.assertLess(level(x + 1, y) - level(x, y), 0.06)
 
     def test_natural_vignetting_of_a_thin_lens(self):
-        """With the stop in a thin lens: the fourth power of the cosine."""
+        """Brightness falls with the fourth power of the cosine."""
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             (pathlib.Path(name) / "thin.dat").write_text("100 1e-6 1.5 20\n-100 1e-6 1 20\n0 0 0 2\n")
             scene = camera('prescription "thin.dat" natural_vignetting 1 film_width 60', unit=1000)
@@ -73,7 +71,7 @@ class EvenLight(rendering.RenderTest):
 
 class Focus(rendering.RenderTest):
     def test_as_the_ideal_lens_of_its_numbers(self):
-        """Tilted, swung and shifted, if its pupils lie near its principal points."""
+        """The pupils lie near the principal points."""
         turned = "tilt 3 swing -2 shift <2, 1> f_stop 4 "
         samples = "blur_samples 64, 256 variance 1e-5 "
         world = WORLD + "plane { y, -0.7 pigment { checker rgb <1, 0.5, 0.2> rgb 0.1 scale 0.3 } finish { emission 1 diffuse 0 } }\n"
@@ -150,7 +148,7 @@ class Dispersion(rendering.RenderTest):
     SINGLET = "100 4 1.5168 30 64.17\n-100 30 1 30\n0 0 0 4\n"
 
     def test_uniform_surface_stays_uniform(self):
-        """White stays white, without noise, even where the rims vignette."""
+        """Light stays uniform even where the rims vignette."""
         picture = render(camera(self.PLANAR + "f_stop 11") + EVEN)
         self.assertEqual(set(zip(*(picture.channel(name) for name in "RGB"))), {(0.5, 2.0, 0.125)}, picture.told)
         wide = render(camera(self.PLANAR) + EVEN)
@@ -166,7 +164,7 @@ class Dispersion(rendering.RenderTest):
             self.assertAlmostEqual(a, b, delta=0.01)
 
     def test_colours_focus_as_in_the_closed_form(self):
-        """The disc of a point is as wide as the film's distance from the image implies."""
+        """A point's disc follows from the film's distance from the image."""
         film, radius = 0.5, 0.001  # mm, width of the film; units, of the point at 10
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             (pathlib.Path(name) / "singlet.dat").write_text(self.SINGLET)
@@ -185,7 +183,7 @@ class Dispersion(rendering.RenderTest):
 
     @staticmethod
     def disc(wavelength):
-        """Radius in mm: of a thick lens with dispersion by the Abbe number, with the stop 30 mm behind it."""
+        """Radius, mm: a thick lens with dispersion by the Abbe number, the stop 30 mm behind it."""
         index = 1.5168 + 0.5168 / 64.17 * (wavelength**-2 - 587.6**-2) / (486.1**-2 - 656.3**-2)
         focal = lambda n: 1 / ((n - 1) * (2 / 100 - (n - 1) * 4 / (n * 100 * 100)))
         image = lambda n: 1 / (1 / focal(n) - 1 / 10000)
@@ -206,18 +204,17 @@ class Files(rendering.RenderTest):
                 scene = camera(f'prescription "lenses/{row["file"]}", 60 f_stop 4.2 tilt 1') + WORLD
                 picture, text = rendering.render_and_listen(scene, f"+L{INCLUDE}", **SIZE)
                 self.assert_finite(picture)
-                # 60 mm hold for infinity; moved groups change it
+                # 60 mm at infinity; moved groups change it
                 moves = '"object-distance"' in (LENSES / row["file"]).read_text(encoding="utf-8")
                 focal = float(re.search(r"Focal length\.+(\S+) mm", text)[1])
                 self.assertAlmostEqual(focal, 60, delta=6 if moves else 0.001)
                 self.assertEqual("Inner focus" in text, moves)
-                # the wall's checks are sharp in the centre
                 self.assertGreater(max(picture.channel("R")) - min(picture.channel("R")), 0.7)
                 if row["file"] != "tronnier_gauss_50.dat":  # whose source has no Abbe numbers
                     scene = scene.replace("tilt 1", "tilt 1 dispersion on")
                     picture, text = rendering.render_and_listen(scene, f"+L{INCLUDE}", **SIZE)
                     self.assert_finite(picture)
-                    # the designers corrected the colours; a lens of one glass of the Abbe number 50 would be off by 1.3 mm
+                    # one glass of the Abbe number 50 would be off by 1.3 mm
                     blue, green, red = map(float, re.search(r"focus of colours\.+(\S+), (\S+), (\S+) mm", text).groups())
                     self.assertLess(max(abs(blue), abs(green), abs(red)), 0.5)
 

@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Pixels do not depend on rays traced before: random scenes in which every per-thread cache would show, by threads,
-tiles and bands."""
+"""Pixels do not depend on earlier rays: random scenes show every per-thread cache, by threads, tiles and bands."""
 
 import random
 
@@ -9,7 +8,7 @@ from tests.render import rendering, scenes
 
 SIZE = {"width": 40, "height": 30}
 CAMERA = scenes.camera("tilt 3 swing -2", samples="blur_samples 4, 16 variance 1/2000 ")
-# the second and third start tiles elsewhere and shoot photons on several threads
+# other first tiles, and photons on several threads
 OTHER_WAYS = (("+WT2",), ("+WT4", "+BS8"), ("+WT1", "+BS5", "+RP3"))
 
 
@@ -18,7 +17,6 @@ def vector(chance, low, high):
 
 
 def texture(chance):
-    """Opaque, patterned, transparent or refracting."""
     normal = chance.choice(["", "normal { facets size 0.2 }", "normal { bumps 0.4 scale 0.1 }", "normal { crackle 0.5 scale 0.2 }"])
     pigment = chance.choice(
         [
@@ -97,7 +95,7 @@ class History(rendering.RenderTest):
                 self.check_band(scene(seed), whole, 11, 20)
 
     def test_photons(self):
-        """Two lights, three targets: free threads take the pairs in any order."""
+        """Free threads take pairs of light and target in any order."""
         targets = "".join(
             f"sphere {{ <{x}, 0.3, {x}>, 0.35 pigment {{ rgbf <1, 0.9, 0.8, 0.9> }} interior {{ ior 1.5 }} "
             "photons { target refraction on reflection on collect off } }\n"

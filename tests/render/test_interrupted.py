@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A render that is killed or interrupted and then continued with +C has the same pixels."""
+"""Killed or interrupted, then continued with +C: the same pixels."""
 
 import pathlib
 import re

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Output_Layers: the values of the OpenEXR file beside the picture, and its safety against loss and damage."""
+"""Output_Layers: values in the OpenEXR file, and its safety."""
 
 import math
 import pathlib
@@ -39,11 +39,9 @@ class Rendered:
         return [(x, y) for y in range(self.layers.height) for x in range(self.layers.width)]
 
     def position(self, x, y):
-        """The point hit."""
         return [self.at(f"position.{axis}", x, y) for axis in "XYZ"]
 
     def attribute(self, name):
-        """The numbers of an attribute, as exrheader prints them."""
         found = re.search(rf"^{re.escape(name)} \(type [^)]*\):?\s*(.*?)(?=^\S|\Z)", self.header, re.MULTILINE | re.DOTALL)
         if found is None:
             raise AssertionError(f"no attribute {name}\n{self.header}")
@@ -77,7 +75,7 @@ class Numbers(rendering.RenderTest):
         self.assertIn("tiltLens:tilt: 4", said)
 
     def test_commands_of_the_manual(self):
-        """The manual's commands for the layers make pictures that are not empty."""
+        """The commands' pictures are not empty."""
         manual = ROOT / "docs" / "manual.md"
         commands = [shlex.split(line) for line in re.findall(r"^    (oiiotool board\.layers\.exr .*)$", manual.read_text(), re.MULTILINE)]
         self.assertGreaterEqual(len(commands), 4)
@@ -96,8 +94,7 @@ class Numbers(rendering.RenderTest):
         self.assert_same(self.turned.picture, rendering.render(TURNED, **SIZE), "with and without layers")
 
     def test_positions_project_to_their_pixels(self):
-        """The matrix worldToNDC maps each position to its pixel's centre: checks positions, matrix, shift and
-        transformations at once."""
+        """worldToNDC maps each position to its pixel's centre."""
         m = self.turned.attribute("worldToNDC")
         hits = 0
         for x, y in self.turned.pixels():
@@ -132,7 +129,7 @@ class Numbers(rendering.RenderTest):
                 self.assertAlmostEqual(seen.at("blur", x, y), blur, delta=1e-5 + 1e-5 * abs(blur))
 
     def test_blur_of_a_tilted_lens_by_its_plane(self):
-        """Proportional to the distance from the plane over the depth, positive before it."""
+        """Proportional to the distance from the plane over the depth."""
         normal, d = self.turned.attribute("tiltLens:focusNormal"), self.turned.attribute("tiltLens:focusDistance")[0]
         m = self.turned.attribute("worldToCamera")
         location = [-sum(m[12 + j] * m[4 * i + j] for j in range(3)) for i in range(3)]
@@ -309,7 +306,7 @@ class Files(rendering.RenderTest):
         self.assertIn("Cannot write the layers 'out/picture.layers.exr' (Is a directory)", said)
 
     def test_continued_after_a_write_error(self):
-        """The state file is kept, and its tiles need not be rendered again."""
+        """+C need not render the state file's tiles again."""
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             folder = pathlib.Path(name)
             (folder / "picture.layers.exr").mkdir()
@@ -346,7 +343,6 @@ class Interrupted(rendering.RenderTest):
     HOW = {"width": 96, "height": 72}
 
     def stop(self, folder, signal_, *options):
-        """Stops a render after a part of it is on the disk."""
         if "+N" in options:
             (folder / "picture.layers.exr").write_text("of an older render")
         rendering.Job(self.SLOW, ("+WT1", "+BS8", *options), **self.HOW).stop(folder, signal_, 30000)

@@ -54,7 +54,7 @@ class Furnace(rendering.RenderTest):
 
 
 class Renders(rendering.RenderTest):
-    """With a small lens, pictures are close to a pinhole's: no light is lost."""
+    """A small lens renders nearly as a pinhole: no light is lost."""
 
     WORLDS = {
         "radiosity": "global_settings { radiosity { count 30 pretrace_start 0.1 pretrace_end 0.05 } }\n",
@@ -75,7 +75,7 @@ class Renders(rendering.RenderTest):
                 lens = rendering.render(scenes.camera("tilt 3", 0.002, samples) + world + scenes.WORLD, "+WT1", **SIZE)
                 self.assert_finite(lens)
                 pinhole = rendering.render(f"camera {{ {scenes.VIEW} }}\n" + world + scenes.WORLD, "+WT1", "+A0.0", "+R4", **SIZE)
-                # the two programs' anti-aliasing differs at edges
+                # anti-aliasing differs at edges
                 limit = 0.4 if name == "lens half in glass" else 0.05
                 self.assert_near(lens, pinhole, limit, name)
 
@@ -88,7 +88,7 @@ class Renders(rendering.RenderTest):
         self.assert_near(lens, stock, 0.06, "normal")
 
     def test_samples_of_a_camera_with_a_normal_stay_in_their_pixel(self):
-        """Filters use a sample in the pixels of its circle of confusion, which a normal would displace."""
+        """A normal would displace a sample from its circle of confusion."""
 
         def render(denoise, tail):
             camera = scenes.camera(f"denoise {denoise}", 0.6, "blur_samples 1 ", tail=tail)

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The lens report in the message streams: its order, and options to switch it off."""
+"""The lens report: order, and options that switch it off."""
 
 import pathlib
 import re
@@ -27,7 +27,7 @@ AFTER = ("Tilt Lens Sampling\n", "Samples per pixel....", "Standard error....")
 
 class Report(rendering.RenderTest):
     def test_order(self):
-        """Lens before the render, sampling after it; each once."""
+        """Lens before the render, sampling after it."""
         said = rendering.render_and_listen(scenes.TILTED, "-V")[1]
         at = 0
         for word in ("Render Options", "Tilt Lens\n", "Tilt Lens Sampling", "Render Statistics"):
@@ -82,7 +82,6 @@ class Report(rendering.RenderTest):
         self.assertNotRegex(said, re.compile("tilt[ _]lens", re.IGNORECASE))
 
     def test_samples_and_error(self):
-        """The samples are within their limits, and the error is near the requested one."""
         said = rendering.render_and_listen(scenes.camera(samples="blur_samples 16, 4096 variance 1/2000 ") + scenes.WORLD)[1]
         samples = re.search(r"Samples per pixel\.+mean ([\d.]+), 99% (\d+), most (\d+)", said)
         error = re.search(r"Standard error\.+([\d.e-]+) of white", said)

@@ -1,8 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Features that use random numbers give the same pixels with one thread and with many.
+"""Random numbers give the same pixels for any threads.
 
-Radiosity is the documented exception; light.py renders it.
+Radiosity is the documented exception.
 """
 
 from tests.render import rendering, scenes

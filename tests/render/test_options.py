@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Options that leave nothing to render are refused, at once and with the reason."""
+"""Options that leave nothing to render are refused with the reason."""
 
 import os
 import pathlib
@@ -13,14 +13,13 @@ STOCK = "camera { location -4*z look_at 0 } sphere { 0, 1 pigment { rgb 1 } fini
 
 
 def run(scene, *options):
-    """Exit code and POV-Ray's messages, in a folder of its own, so that runs do not affect each other."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         code, said = rendering.Job(scene, options).attempt(pathlib.Path(name))
         return code, said, sorted(path.name for path in pathlib.Path(name).iterdir())
 
 
 class Refused(rendering.RenderTest):
-    """With an aperture, where such options made the program wait for ever, and without the block."""
+    """With an aperture, such options made the program wait for ever."""
 
     def check(self, options, message):
         for scene in (scenes.TILTED, STOCK):

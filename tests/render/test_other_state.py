@@ -17,7 +17,6 @@ STOCK = '#include "table.inc"\ncamera { ' + scenes.VIEW + "}\n" + scenes.WORLD
 
 
 def run(folder, scene, *options, **size):
-    """Exit code, and POV-Ray's messages as one line."""
     code, said = rendering.Job(scene, ("+WT1", "+BS8", *options), **{**SIZE, **size}).attempt(folder)
     return code, " ".join(said.split())
 
@@ -32,8 +31,8 @@ class OtherState(rendering.RenderTest):
         self.picture = self.folder / "picture.png"
 
     def begin(self, scene, *options, **size):
-        """A state file with some tiles of a picture, as an interrupted render leaves it."""
-        # the picture cannot be written over a folder, so the state file is kept
+        """Makes a state file, as an interrupted render leaves it."""
+        # a folder of the picture's name keeps the state file
         self.picture.mkdir()
         (self.picture / "used").touch()
         code, said = run(self.folder, scene, *options, **size)
@@ -54,7 +53,7 @@ class OtherState(rendering.RenderTest):
         self.assertFalse(self.picture.exists(), said)
 
     def continued(self, scene, *options, **size):
-        """Continues; the pixels are those of an uninterrupted render."""
+        """The pixels equal those of an uninterrupted render."""
         code, said = run(self.folder, scene, "+C", *options, **size)
         self.assertEqual(code, 0, said)
         found = rendering.read_picture(self.picture, "continued\n")

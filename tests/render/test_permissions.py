@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Files that a scene may not read or write: every way to one is refused with its line, and the file stays as it is."""
+"""Files that a scene may not read or write: refused with the line, and unchanged."""
 
 import os
 import pathlib
@@ -13,7 +13,7 @@ from tools.repository import ROOT
 
 LENS = ROOT / "scenes" / "include" / "lenses" / "tronnier_gauss_50.dat"
 
-# Every way from the scene's folder, where "to_outside" and "link.inc" are links, to files outside it.
+# "to_outside" and "link.inc" are links.
 WAYS_TO_READ = (
     '#include "{outside}/file.inc"',
     '#include "../outside/file.inc"',
@@ -70,12 +70,10 @@ WAYS_TO_WRITE = (
 
 
 def prefix():
-    """The folder that the program lies in, with its include files and settings."""
     return pathlib.Path(os.path.realpath(rendering.SETTINGS.povray)).parents[1]
 
 
 def told(text):
-    """POV-Ray's messages below its own name, as one line."""
     return " ".join(text.split("Support libraries used by POV-Ray", 1)[-1].split())
 
 
@@ -109,12 +107,10 @@ class Permissions(rendering.RenderTest):
         return line.format(outside=self.outside, own=self.own, prefix=prefix())
 
     def attempt(self, line, *options):
-        """Exit code, and POV-Ray's message as one line."""
         code, said = rendering.Job(scenes.TILTED + self.words(line) + "\n", options, width=8, height=6).attempt(self.own)
         return code, told(said)
 
     def files(self):
-        """Files that a scene could have written."""
         return {
             path: path.read_bytes()
             for path in self.top.rglob("*")
@@ -122,7 +118,6 @@ class Permissions(rendering.RenderTest):
         }
 
     def refused(self, line, deed):
-        """The message, after a look at the files."""
         before = self.files()
         code, said = self.attempt(line)
         self.assertEqual(code, 1, said)
@@ -144,14 +139,13 @@ class Permissions(rendering.RenderTest):
                 self.refused(line, "writing")
 
     def call(self, folder, line, *options, home=None):
-        """Exit code and message, as one line, of a scene with this line in another folder."""
         (self.own / "scene.pov").write_text(rendering.HEAD + scenes.TILTED + self.words(line) + "\n")
         command = povray_run.command(rendering.SETTINGS.povray, self.own / "scene.pov", "", (8, 6), *options)
         done = povray_run.run(command, folder, povray_run.user_environment(HOME=str(home or self.top)))
         return done.code, told(done.said)
 
     def test_permitted(self):
-        """The scene's folder and those in it, folders of +L, the program's own, and the picture's, by any path."""
+        """The scene's folder, those in it, +L, the program's own, the picture's, by any path."""
         more = f"+L{self.outside}"
         for line, *options in (
             ('#include "file.inc"',),
@@ -181,14 +175,14 @@ class Permissions(rendering.RenderTest):
                 self.assertEqual(code, 0, said)
 
     def test_a_folder_that_does_not_exist(self):
-        """No matter of permissions, though the way leads out of the folder."""
+        """The message does not speak of permissions."""
         code, said = self.attempt('#fopen F "nowhere/../../outside/new.txt" write')
         self.assertEqual(code, 1, said)
         self.assertIn("Parse Error: Cannot open 'nowhere/../../outside/new.txt", said)
         self.assertIn("for writing: No such file or directory.", said)
 
     def test_other_current_folder(self):
-        """Names begin in the folder of the call. Nothing is written in folders in it."""
+        """Names begin in the current folder; nothing is written below it."""
         (self.outside / "sub").mkdir()
         self.fill(self.outside / "sub")
         (self.outside / "sub" / "new.inc").touch()
@@ -205,7 +199,6 @@ class Permissions(rendering.RenderTest):
                 self.assertEqual("Not permitted" in said, not permitted, said)
 
     def test_folder_of_the_picture(self):
-        """The user permits it on the command line; the scene cannot."""
         for options, permitted in (
             (("+O../outside/",), True),
             (("+O../outside/picture.png",), True),
@@ -230,7 +223,6 @@ class Permissions(rendering.RenderTest):
         self.assertFalse((ROOT / "new.txt").exists())
 
     def test_lifted(self):
-        """By one word, anywhere on the command line."""
         for line in ('#fopen F "../outside/new.txt" write', '#include "{outside}/file.inc"'):
             code, said = self.call(self.own, line, "+Opicture.png")
             self.assertEqual(code, 1, said)
@@ -240,7 +232,7 @@ class Permissions(rendering.RenderTest):
         self.assertEqual(self.call(self.own, "", "+Opicture.png")[0], 1)
 
     def test_stricter_by_the_user(self):
-        """The user's own povray.conf adds to the program's, and removes nothing from it."""
+        """The user's povray.conf adds to the program's."""
         settings = self.top / "home" / ".povray" / "3.7" / "povray.conf"
         settings.parent.mkdir(parents=True)
         for text, line, permitted in (

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Progress during a picture with adaptive samples, and the summary at its end."""
+"""Progress with adaptive samples, and the final summary."""
 
 import pathlib
 import re
@@ -9,7 +9,7 @@ import tempfile
 
 from tests.render import rendering, scenes
 
-# a uniform sky above, with the fewest samples, and a floor below with hundreds
+# sky: fewest samples; floor: hundreds
 HALVES = (
     "camera { location y look_at <0, 1, 1> right 4/3*x angle 60 aperture 0.5 focal_point <0, 1, 9> "
     "blur_samples 8, 256 variance 1/20000 tilt_lens {} }\n"
@@ -21,13 +21,13 @@ MESSAGE = re.compile(r"Rendered (\d+) of (\d+) pixels \((\d+)% of the work\)")
 
 
 def shown(said):
-    """(pixels, percentage) of each progress message, in order."""
+    """(pixels, percentage) of each message."""
     return [(int(done), int(percent)) for done, _, percent in MESSAGE.findall(said)]
 
 
 class Progress(rendering.RenderTest):
     def test_counts_the_work(self):
-        """Sky first: half of the pixels are a small part of the work."""
+        """Sky first: half of the pixels, little work."""
         said = rendering.render_and_listen(HALVES, "+WT1", "+BS16", "+V", **SIZE)[1]
         messages = shown(said)
         self.assertGreater(len(messages), 20, said)
@@ -45,7 +45,7 @@ class Progress(rendering.RenderTest):
                 self.assertEqual(percentages[-1], 100, said)
 
     def test_other_way_round(self):
-        """Floor first: at half of the pixels most of the work is done."""
+        """Floor first: half of the pixels, most of the work."""
         said = rendering.render_and_listen(HALVES.replace("right 4/3*x", "right 4/3*x sky -y"), "+WT1", "+BS16", "+V", **SIZE)[1]
         half = [percent for pixels, percent in shown(said) if pixels == 128 * 96 // 2]
         self.assertGreater(half[0], 88, said)
@@ -64,7 +64,7 @@ class Progress(rendering.RenderTest):
         self.assertEqual(shown(rendering.render_and_listen(HALVES, "-V", **SIZE)[1]), [])
 
     def test_focus_aids_and_radiosity(self):
-        """There, pixels count: focus aids take one ray for each pixel, and test rays would change radiosity."""
+        """Here pixels count: aids take one ray each, and test rays would change radiosity."""
         radiosity = "global_settings { radiosity { count 8 pretrace_start 0.2 pretrace_end 0.1 } }\n"
         for scene in (scenes.camera("focus_map") + scenes.WORLD, radiosity + HALVES):
             messages = shown(rendering.render_and_listen(scene, "+V", "+BS16", "+WT1", **SIZE)[1])
@@ -107,7 +107,7 @@ class Summary(rendering.RenderTest):
         self.assertRegex(said, r"of white \(estimated\), all samples asked for")
 
     def test_what_was_left_out(self):
-        """Pixels at MAX, compared with the statistics of all samples."""
+        """Pixels at MAX, against the statistics of all samples."""
         said = rendering.render_and_listen(HALVES.replace("8, 256", "8, 32"), **SIZE)[1]
         stopped = re.search(r"Stopped by MAX\.+(\d+) pixels \(([\d.]+)%\), at 32 samples", said)
         self.assertIsNotNone(stopped, said)

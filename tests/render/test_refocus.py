@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The preview of another focus is near the real render, much nearer than the sharp picture; mistakes get one message."""
+"""The preview of another focus is near the real render; mistakes get one message."""
 
 import argparse
 import os
@@ -41,7 +41,6 @@ class Refocus(unittest.TestCase):
 
     @classmethod
     def render(cls, name, *words):
-        """Renders with layers; returns POV-Ray's messages."""
         command = povray_run.command(SETTINGS.povray, "s.pov", f"{name}.exr", (160, 120), "+FE", "+N", *words)
         return povray_run.run(command, cls.folder).succeeded().said
 
@@ -72,7 +71,7 @@ class Refocus(unittest.TestCase):
         said = self.refocus("--at", "107", "98", "--f-stop", "1.4")
         found = re.search(r"plane \{ <(\S+), (\S+), (\S+)>, (\S+) \}, f/1.4", said)
         x, y, z, distance = map(float, found.groups())
-        # the orange sphere's centre is at most a radius away
+        # at most a radius away
         self.assertLess(abs(distance - (0.5 * x + 0.6 * y - 2 * z)), 0.6, said)
 
     def test_blurred_input_causes_a_warning(self):

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The same pixels for any number of threads, any tiles, any part of the picture, any preview."""
+"""Pixels do not depend on threads, tiles, parts or preview."""
 
 from tests.render import rendering, scenes
 
@@ -58,9 +58,8 @@ class SubImages(rendering.RenderTest):
         cls.whole = rendering.render(scenes.TILTED, "+WT2", **SIZE)
 
     def check(self, left, top, right, bottom, *options):
-        """Columns left to right, rows top to bottom, from 1 as in POV-Ray."""
         part = rendering.render(scenes.TILTED, f"+SC{left}", f"+EC{right}", f"+SR{top}", f"+ER{bottom}", *options, **SIZE)
-        # POV-Ray writes a file of the whole picture's size, black outside the rendered part
+        # the file has the whole size, black outside the part
         place = (left - 1, top - 1, right, bottom)
         self.assert_same(part.crop(*place), self.whole.crop(*place), "sub-image")
 
@@ -82,7 +81,7 @@ class SubImages(rendering.RenderTest):
 
 
 class OneSample(rendering.RenderTest):
-    """With one ray per pixel, spread over its circle of confusion."""
+    """Each ray is spread over its circle of confusion."""
 
     SCENE = scenes.camera(samples="blur_samples 1 ") + scenes.WORLD
 

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""sharp_points: the report against the formula of blur, worked out here anew, and against the blur that the picture shows."""
+"""sharp_points: the report against a formula worked out anew, and against the picture's blur."""
 
 import itertools
 import math
@@ -29,13 +29,13 @@ def dot(a, b):
 
 
 def in_camera(point):
-    """To the right, up, along the axis, from the lens."""
+    """Right, up, along the axis, from the lens."""
     way = [p - o for p, o in zip(point, LOCATION)]
     return tuple(dot(way, axis) for axis in (RIGHT, UP, AXIS))
 
 
 def defocus(k, points):
-    """1/z - k.D of each point: its blur but for one factor, positive before the plane k.X = 1; camera frame."""
+    """1/z - k.D in the camera frame, positive before the plane k.X = 1."""
     return [(1 - dot(k, p)) / p[2] for p in points]
 
 
@@ -46,7 +46,7 @@ def determinant(rows):
 
 
 def levelled(points):
-    """(k, greatest defocus), equal for four points, with signs by which no k has less for them."""
+    """(k, greatest defocus) for four points, the same for all, with signs that no other k improves."""
     rows = [[p[0] / p[2], p[1] / p[2], 1.0] for p in points]
     weights = [(-1) ** i * determinant(rows[:i] + rows[i + 1 :]) for i in range(4)]
     system = [[*row, math.copysign(1.0, w)] for row, w in zip(rows, weights)]
@@ -57,21 +57,21 @@ def levelled(points):
 
 
 def best_plane(points):
-    """(k, greatest defocus) of the set of four that needs most."""
+    """(k, greatest defocus) of the worst set of four."""
     return max((levelled(four) for four in itertools.combinations(points, 4)), key=lambda solved: solved[1])
 
 
 def in_pixels(defocus_value, diameter):
-    """Blur for a lens diameter in units."""
+    """The lens diameter is in scene units."""
     return defocus_value * diameter * FILM_DISTANCE * WIDTH / FILM
 
 
 def seen_from_film(k, point):
-    """Mean diameter (root mean square of two at right angles) of the turned lens, as the film sees it along the chief ray."""
+    """Mean diameter (root mean square of two at right angles) of the turned lens along the chief ray."""
     q = (k[0], k[1], k[2] + UNIT / FILM_DISTANCE)
     t = [part / math.hypot(*q) for part in q]
     across = [point[i] / point[2] for i in (0, 1)]
-    # l -> l_xy - l_z across, of all vectors but the lens's normal
+    # all vectors but the lens's normal
     return math.sqrt((2 + dot(across, across) - sum((t[i] - t[2] * across[i]) ** 2 for i in (0, 1))) / 2)
 
 
@@ -86,7 +86,7 @@ LAMPS = "".join(
 
 
 def reported(said):
-    """Blur of each point, pixels, and whether it binds, from the program's report."""
+    """(blur in pixels, whether it binds) of each point."""
     text = re.sub(r"\n (?! )", " ", said)  # what the console has wrapped
     lines = re.findall(r"^    \d\.+<[^>]*>: ([\d.e-]+) pixels \(([\d.e-]+) mm\) (before|behind)(, binds)?", text, re.MULTILINE)
     return [(float(p) * (1 if side == "before" else -1), float(mm), bool(binds)) for p, mm, side, binds in lines]
@@ -117,10 +117,7 @@ class SharpPoints(rendering.RenderTest):
             self.assertAlmostEqual(measured, abs(want) * seen_from_film(k, point), delta=0.02 * abs(want))
 
     def spot(self, picture, point, most):
-        """Mean diameter of the even ellipse of light around a point of the picture, pixels, from its spread.
-
-        most -- half the width of the part of the picture that holds it
-        """
+        """Mean diameter, pixels, of an even ellipse of light, from its spread in a part of the picture 2 `most` wide."""
         scale = FILM_DISTANCE / point[2] * WIDTH / FILM
         column, row = WIDTH / 2 + scale * point[0], HEIGHT / 2 - scale * point[1]
         lights = []

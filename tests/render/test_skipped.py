@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Unnecessary work is skipped, and the summary counts it."""
+"""Unnecessary work is skipped, and counted in the summary."""
 
 import re
 
@@ -16,7 +16,6 @@ GLASS = "sphere { SPHERE pigment { rgbt 1 } interior { ior 1.3 } }\n"
 
 
 def numbers(line, said):
-    """The numbers of a line of the summary; None without the line."""
     found = re.search(rf"^  {line}\.+(.*)$", said, re.M)
     return [int(number) for number in re.findall(r"\d+", found.group(1))] if found else None
 
@@ -33,7 +32,7 @@ class Skipped(rendering.RenderTest):
         self.assertLess(ended[0], 64 * 24)  # no more than the sky
 
     def test_first_round_is_longer_if_many_pixels_of_a_block_need_more(self):
-        """The horizon is in the first row of blocks, so that its pixels of sky exceed the minimum, too."""
+        """The horizon is in the first row of blocks, whose sky exceeds the minimum too."""
         self.assertEqual(numbers("Ended at the minimum", said_of(FLOOR + EVEN))[0], 0)
 
     def test_minimum_is_a_power_of_two(self):
@@ -55,7 +54,6 @@ class Skipped(rendering.RenderTest):
                 self.assertEqual(ended, least and [64 * 48, 64 * 48, least])
 
     def test_sharp_picture_takes_the_minimum_but_at_edges(self):
-        """Pixels within a field of the board need no more than the minimum."""
         board = "plane { y, 0 pigment { checker rgb 1 rgb 0.2 scale 20 } finish { ambient 1 diffuse 0 } }\n"
         ended = numbers("Ended at the minimum", said_of(board + EVEN, aperture=1e-6))
         self.assertLess(ended[0], 64 * 48)
@@ -68,7 +66,7 @@ class Skipped(rendering.RenderTest):
         rebuilt = numbers("Reconstruction", said_of(ball + wall))
         self.assertGreater(rebuilt[0], 100)
         self.assertGreater(rebuilt[1], 1000)
-        # outlines before the empty background are rebuilt; the background has no noise and is not
+        # outlines before the background are rebuilt; the background has no noise
         self.assertGreater(numbers("Reconstruction", said_of(ball + EVEN, "blur_samples 8, 16 variance 1/2000 "))[0], 100)
         small = ball.replace("0.3", "0.15")
         for samples in ("blur_samples 8, 16 variance 1/2000 ", "blur_samples 8, 4096 variance 1/200000 "):
@@ -96,7 +94,7 @@ class Skipped(rendering.RenderTest):
         self.assertIsNone(numbers("Emitter samples", said_of(large)))
 
     def test_emitters_are_brighter_than_lit_objects(self):
-        """A lamp below white is an emitter in moonlight, but neither in sunlight nor under unknown lights."""
+        """A lamp below white is an emitter in moonlight only."""
         lamp = LAMP.replace("emission 50", "emission 0.9").replace("0.01 pigment", "0.04 pigment")
         moon = "light_source { <4, 6, -4>, rgb 0.02 }\n"
         self.assertEqual(numbers("Emitter samples", said_of(lamp + moon))[1], 1)
@@ -111,7 +109,7 @@ class Skipped(rendering.RenderTest):
         self.assertIsNone(numbers("Around the lens", said_of(EVEN)))
 
     def test_only_objects_touching_the_lens_are_tested(self):
-        """Counts of objects: tested, with an interior, containing the whole lens. The lens is at <0.4, 1.5, -4>, 0.075 wide."""
+        """Objects tested, with an interior, containing the lens at <0.4, 1.5, -4>, 0.075 wide."""
         rest = "pigment { rgbt 1 } interior { ior 1.3 } "
         for solid, found in (
             ("sphere { <0.4, 1.5, -4>, 0.5", [0, 1, 1]),
@@ -132,7 +130,7 @@ class Skipped(rendering.RenderTest):
                 self.assertEqual(numbers("Around the lens", said_of(EVEN + solid + " " + rest + "}\n")), found)
 
     def test_known_and_tested_interiors_render_alike(self):
-        """Fog in a solid that contains the lens."""
+        """Fog in a solid around the lens."""
         fog = "hollow pigment { rgbt 1 } interior { media { absorption 0.3 } } "
         lens = scenes.camera("scene_unit 100", 0.3, "blur_samples 8, 8 ")
         known, asked, without = (

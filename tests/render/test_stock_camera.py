@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The camera against POV-Ray's own: pinholes, shifts and the size of the blur."""
+"""Against POV-Ray's own camera: pinholes, shifts, size of blur."""
 
 import math
 
@@ -35,14 +35,14 @@ class Pinhole(rendering.RenderTest):
         self.assert_same(rendering.render(scene, **SIZE), rendering.render(stock(), **SIZE), "aperture 0")
 
     def test_shift_is_a_shear(self):
-        """A frame moved by 9 and 4.5 mm of 36 is a direction moved by those shares of `right`."""
+        """9 and 4.5 mm of 36 shift the direction by those shares of `right`."""
         view = "location <0.4, 1.5, -4> right 4/3*x up y focal_point <0, 0, 0.5> "
         own = f"camera {{ {view}direction z tilt_lens {{ shift <9, -4.5> }} }}\n" + scenes.WORLD
         sheared = f"camera {{ {view}direction <4/3*0.25, -4/3*0.125, 1> }}\n" + scenes.WORLD
         self.assert_near(rendering.render(own, **SIZE), rendering.render(sheared, **SIZE), 1e-4, "shear")
 
     def test_shift_by_whole_pixels(self):
-        """36 mm are 72 pixels, so that 3.5 mm are 7 pixels and 2 mm are 4; a shift up and right shows more above and right."""
+        """3.5 mm are 7 pixels, 2 mm are 4."""
         still = rendering.render(pinhole(""), **SIZE)
         moved = rendering.render(pinhole("shift <3.5, 2>"), **SIZE)
         self.assert_near(moved.crop(0, 4, 65, 54), still.crop(7, 0, 72, 50), 1e-3, "shift")
@@ -60,13 +60,11 @@ class WithAperture(rendering.RenderTest):
 
 
 class BlurSize(rendering.RenderTest):
-    """A small light far out of focus: its picture's spread is the blur's."""
-
     SCENE = "sphere { <0, 0, 8>, 0.1 pigment { rgb 1 } finish { ambient 20 diffuse 0 } }\n"
     CAMERA = "location -4*z right 4/3*x up y direction 1.5*z focal_point 0 aperture 2 blur_samples 1500 variance 0 "
 
     def spread(self, scene):
-        """Root mean square distance from the centre of light, in pixels, and the light."""
+        """Root mean square distance from the centre of light, pixels; and the light."""
         picture = rendering.render(scene, width=48, height=36, extension="exr")
         light = picture.channel("R")
         total = sum(light)
@@ -81,10 +79,10 @@ class BlurSize(rendering.RenderTest):
     def test_against_stock_and_theory(self):
         own, light = self.spread(f"camera {{ {self.CAMERA}tilt_lens {{}} }}\n{self.SCENE}")
         stock_spread, stock_light = self.spread(f"camera {{ {self.CAMERA} }}\n{self.SCENE}")
-        # lens of diameter 1, focus at 4, light at 12, a frame 4/3 wide at 1.5, 48 pixels
+        # diameter 1, focus 4, light at 12, frame 4/3 wide at 1.5, 48 pixels
         pixels = 1.5 / (4 / 3) * 48
         lens, ball = abs(1 / 12 - 1 / 4) * pixels / 2, 0.1 / 12 * pixels
-        # half the square of each disc's radius, and a pixel's own 1/12 in x and in y
+        # half the square of each disc's radius; a pixel's own 1/12 twice
         theory = math.sqrt(lens * lens / 2 + ball * ball / 2 + 1 / 6)
         told = f"spread {own:g}, stock {stock_spread:g}, theory {theory:g}; light {light:g}, stock {stock_light:g}"
         self.assertLess(abs(own / theory - 1), 0.04, told)
@@ -92,7 +90,7 @@ class BlurSize(rendering.RenderTest):
         self.assertLess(abs(light / stock_light - 1), 0.15, told)
 
     def test_blur_scales_with_aperture(self):
-        """The same test must fail for a lens of another size."""
+        """Shows that the test fails for another aperture."""
         half = self.CAMERA.replace("aperture 2", "aperture 1")
         self.assertLess(
             self.spread(f"camera {{ {half}tilt_lens {{}} }}\n{self.SCENE}")[0],

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Signals end the program while it parses a scene that waits for a pipe without a writer."""
+"""Signals end the program while its parser waits for a pipe."""
 
 import os
 import pathlib
@@ -20,7 +20,7 @@ PATIENCE = 100  # seconds; it takes about three
 
 class Stuck(rendering.RenderTest):
     def end(self, scene, number):
-        """Exit code and messages after the signal, sent during parsing."""
+        """The signal arrives during parsing."""
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             os.mkfifo(pathlib.Path(name) / "pipe.inc")
             process = rendering.Job(scene).start(pathlib.Path(name))

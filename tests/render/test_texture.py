@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The noise that the reconstruction leaves has no texture: it does not prefer rows and columns, nor the blocks of 16 pixels."""
+"""The remaining noise prefers neither rows, columns nor blocks of 16 pixels."""
 
 import numpy
 
@@ -68,8 +68,6 @@ CASES = {  # where the camera is and looks; samples; lens; world
 
 
 class Measure(rendering.RenderTest):
-    """The measure finds the textures that it is for."""
-
     def figures(self, filtered):
         random = numpy.random.default_rng(1)
         power = error_direction.spectrum(filtered(random.normal(size=(192, 192)))[..., None])

@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Folders in place of a scene's files are refused at once, with the name and the line. Also pictures that the tests
-themselves cannot read."""
+"""Folders in place of files, and unreadable pictures, are refused with name and line."""
 
 import concurrent.futures
 import pathlib
@@ -22,7 +21,7 @@ UNREADABLE = {
 
 class Folders(rendering.RenderTest):
     def refused(self, scene, *options):
-        """POV-Ray's messages, in a folder with a subfolder; no picture may exist."""
+        """Fails a test if a picture exists."""
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             folder = pathlib.Path(name)
             (folder / "folder").mkdir()

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Output that cannot be written: one message, with the name and the reason."""
+"""Output that cannot be written gives one message with name and reason."""
 
 import pathlib
 import re
@@ -19,13 +19,11 @@ class Unwritable(unittest.TestCase):
         self.folder = pathlib.Path(scratch.name)
 
     def refused(self, *options, **settings):
-        """POV-Ray's messages, as one line."""
         code, said = self.attempt(scenes.TILTED, *options, **settings)
         self.assertNotEqual(code, 0, said)
         return said
 
     def attempt(self, scene, *options, **settings):
-        """Exit code, and POV-Ray's messages, as one line."""
         code, said = rendering.Job(scene, options, width=16, height=12).attempt(self.folder, before=held_to_permissions(), **settings)
         return code, " ".join(said.split())
 
@@ -66,7 +64,7 @@ class Unwritable(unittest.TestCase):
         self.assertEqual(again[0], 0, again[1])
 
     def test_text_file_beyond_the_size_limit(self):
-        """Closed by the scene, and left open; longer than a buffer, and shorter."""
+        """Closed by the scene or left open, longer than a buffer or shorter."""
 
         def limit():
             resource.setrlimit(resource.RLIMIT_FSIZE, (8192, 8192))

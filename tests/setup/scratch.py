@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Common to the set-up tests: folders of this build, and commands in a scratch folder."""
+"""Shared by the set-up tests."""
 
 import os
 import pathlib
@@ -24,7 +24,7 @@ text { ttf "timrom.ttf" "x" 0.1, 0 pigment { Blue } }
 
 
 class SetupTest(unittest.TestCase):
-    """A test with a scratch folder whose name contains a space."""
+    """Its folder's name contains a space."""
 
     def setUp(self):
         scratch = tempfile.TemporaryDirectory(prefix="tilt lens ")
@@ -32,7 +32,6 @@ class SetupTest(unittest.TestCase):
         self.folder = pathlib.Path(scratch.name)
 
     def run_command(self, *command, cwd=None, env=None):
-        """Runs COMMAND with ENV added to the environment; returns the finished process with its output."""
         return subprocess.run(
             [str(word) for word in command],
             cwd=cwd or self.folder,

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Common to the tests of the pinned source: a source package like the real one, and its preparation for the build."""
+"""Shared by the tests of the pinned source."""
 
 import hashlib
 import io
@@ -15,7 +15,7 @@ PACKAGING = "povray_1-2.debian.tar.xz"
 TARGET = "LICENSE"  # the upstream file that this test's patches change
 NO_NETWORK = "http://127.0.0.1:9"  # the discard port: refuses at once
 
-# structured like the real source package, small enough to be unpacked a dozen times
+# small enough to be unpacked a dozen times
 ORIG = {
     "povray-1/LICENSE": "GENERAL PUBLIC LICENSE\n",
     "povray-1/changes.txt": "one\ntwo\n",
@@ -40,8 +40,6 @@ def write_archive(path, mode, members):
 
 
 class SourcePackageTest(SetupTest):
-    """A test with archives, their pin and a series of its own."""
-
     def setUp(self):
         super().setUp()
         self.work = self.folder / "work"
@@ -56,7 +54,7 @@ class SourcePackageTest(SetupTest):
         self.write_series("One")
 
     def write_packaging(self, name, mode="w:xz", without=(), **changed):
-        """A packaging; CHANGED are patches with another text, named with "_" for "-" and without extension."""
+        """CHANGED: patches with another text, "_" for "-", no extension."""
         members = {path: text for path, text in DEBIAN.items() if path not in without}
         for patch, text in changed.items():
             members[f"debian/patches/{patch.replace('_', '-')}.patch"] = text
@@ -71,7 +69,6 @@ class SourcePackageTest(SetupTest):
         )
 
     def write_pin(self):
-        """A pin of the tarball and of the packaging's patches."""
         self.pin = self.folder / "upstream.json"
         content = (self.archives / TARBALL).read_bytes()
         patches = [{"name": name, "sha256": hashlib.sha256(DEBIAN[f"debian/patches/{name}"].encode()).hexdigest()} for name in PATCHES]
@@ -89,13 +86,11 @@ class SourcePackageTest(SetupTest):
         )
 
     def write_series(self, text):
-        """A series of one patch that inserts the line TEXT before TARGET."""
         first = ORIG[f"povray-1/{TARGET}"]
         (self.series / "add-line.patch").write_text(f"--- a/{TARGET}\n+++ b/{TARGET}\n@@ -1 +1,2 @@\n+{text}\n {first}", encoding="utf-8")
         (self.series / "series").write_text("# a comment\nadd-line.patch\n", encoding="utf-8")
 
     def prepare(self, tarball="", env=None):
-        """Prepares the source as the configure step does."""
         script = self.folder / "prepare.cmake"
         script.write_text(
             f'include("{REPOSITORY}/cmake/PatchedSource.cmake")\n'

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Both styles of apt's settings yield the same source list, and the settings stay unchanged."""
+"""Both styles of apt's settings yield the same source list."""
 
 import unittest
 

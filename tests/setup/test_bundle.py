@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The bundle for any Linux: it loads no outside library but glibc's, contains every licence, and renders from any folder. on_fresh_debian,
-which needs root, tries it on systems where nothing is installed."""
+"""The bundle loads only glibc from outside, contains every licence, and renders from any folder. on_fresh_debian, which needs root,
+tries it on bare systems."""
 
 import os
 import pathlib
@@ -35,7 +35,7 @@ class Bundle(SetupTest):
             "-P",
             REPOSITORY / "cmake" / "bundle" / "make.cmake",
         )
-        # moved, so that nothing may depend on the original place
+        # moved, to find fixed paths
         cls.bundle = cls.scratch.folder / "moved to" / "bundle"
         if (work / "bundle").is_dir():
             cls.bundle.parent.mkdir()
@@ -48,7 +48,6 @@ class Bundle(SetupTest):
         self.here.mkdir()
 
     def bare(self, *command):
-        """Runs COMMAND with a minimal environment."""
         return subprocess.run(
             [str(word) for word in command],
             cwd=self.here,

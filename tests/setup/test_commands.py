@@ -1,9 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The two commands up to the build: handling of arguments, and of systems with missing parts.
-
-The commands run in a copy of the repository's scripts whose program is a stand-in that prints its arguments.
-"""
+"""The two commands up to the build, with a stand-in that prints its arguments."""
 
 import fcntl
 import os
@@ -40,7 +37,7 @@ class CommandTest(SetupTest):
         self.tool("sudo", "exit 1")
 
     def tool(self, name, text):
-        """Puts a stand-in for the command NAME before the system's in PATH."""
+        """A stand-in for NAME, first in PATH."""
         path = self.tools / name
         path.write_text(f"#!/bin/bash\n{text}\n", encoding="utf-8")
         path.chmod(0o755)
@@ -49,7 +46,6 @@ class CommandTest(SetupTest):
         (self.copy / "cmake" / "debian-packages").write_text("render  bash\n", encoding="utf-8")
 
     def built(self, target):
-        """A finished configuration, and a build of TARGET with nothing to do."""
         build = self.copy / "build"
         build.mkdir()
         (build / "CMakeCache.txt").write_text(
@@ -67,8 +63,6 @@ class CommandTest(SetupTest):
 
 
 class BuiltProgram(CommandTest):
-    """With a finished build, whose program is the stand-in."""
-
     def setUp(self):
         super().setUp()
         program = self.built("povray") / "bin" / "povray"
@@ -248,7 +242,7 @@ class CheckCommand(CommandTest):
     SLOW = [f"group.slow{n}" for n in range(23)]
 
     def chosen(self, *arguments, **env):
-        """CTest's options that choose tests, if there are slow ones."""
+        """CTest's options for slow tests."""
         listed = "\n".join(f"  Test #{n}: {name}" for n, name in enumerate(self.SLOW, 100))
         self.tool("ctest", f'[ "$1" = -N ] && {{ echo "{listed}"; exit; }}; shift 3; printf "option %s\\n" "$@"')
         process = self.command(self.copy / "check", *arguments, **env)
@@ -283,8 +277,6 @@ class CheckCommand(CommandTest):
 
 
 class SetupsAtOnce(BuiltProgram):
-    """Several commands in one folder; the lock is held by the test."""
-
     WAITING = "Waiting for another set-up"
 
     def setUp(self):
@@ -296,7 +288,7 @@ class SetupsAtOnce(BuiltProgram):
         self.lock = lock
 
     def with_work(self):
-        """Makes the program out of date; each build of it adds a line to the file `builds`."""
+        """Each build of the program adds a line to `builds`."""
         (self.build / "build.ninja").write_text(
             "rule make\n  command = echo built >> builds && touch done\nbuild done: make source\nbuild povray: phony done\n",
             encoding="utf-8",
@@ -353,7 +345,7 @@ class SetupsAtOnce(BuiltProgram):
         self.assertEqual((self.build / "builds").read_text(encoding="utf-8"), "built\n")
 
     def with_cmake_file(self, time):
-        """A configuration of the time 1000, made from a file of this time; no work otherwise."""
+        """The configuration has the time 1000."""
         (self.build / "build.ninja").write_text(
             "rule configure\n  command = echo configured >> builds && touch build.ninja\n  generator = 1\n"
             "build build.ninja: configure listfile\nbuild povray: phony\n",
@@ -375,7 +367,7 @@ class SetupsAtOnce(BuiltProgram):
 
 
 class FastBuild(CommandTest):
-    """The order of its steps; a real build takes minutes."""
+    """Its steps only; a real build takes minutes."""
 
     def setUp(self):
         super().setUp()
@@ -394,7 +386,6 @@ class FastBuild(CommandTest):
         program.chmod(0o755)
 
     def steps(self):
-        """The steps but dry runs."""
         lines = self.log.read_text(encoding="utf-8").splitlines()
         return [line.split(" -j")[0] for line in lines if " -n " not in line]
 
@@ -431,7 +422,6 @@ class FastBuild(CommandTest):
 class SetupStep(CommandTest):
     def setUp(self):
         super().setUp()
-        # one package that no system has
         (self.copy / "cmake" / "debian-packages").write_text(
             "render  bash\nrender  tilt-lens-missing\ncheck  tilt-lens-check-only\n", encoding="utf-8"
         )
@@ -463,7 +453,7 @@ class SetupStep(CommandTest):
         self.assert_fails_saying(process, "packages could not be installed", "is there a network?")
 
     def installed_of(self, packages, known=""):
-        """The packages installed for the lines PACKAGES if apt knows the names KNOWN."""
+        """Packages installed for the lines PACKAGES if apt knows the names KNOWN."""
         (self.copy / "cmake" / "debian-packages").write_text(packages, encoding="utf-8")
         self.tool("id", "echo 0")
         self.tool("apt-cache", f'case " {known} " in *" $2 "*) echo "  Candidate: 1" ;; *) echo "  Candidate: (none)" ;; esac')
@@ -516,7 +506,7 @@ class SetupStep(CommandTest):
 
 
 class OtherSystems(CommandTest):
-    """Systems without apt and dpkg: only commands that every system has."""
+    """Systems without apt and dpkg."""
 
     EVERYWHERE = (
         "awk",

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Python files are formatted as pyproject.toml says: test_format PART, one of PARTS parts of them."""
+"""As pyproject.toml says: test_format PART, one of PARTS."""
 
 import re
 import shutil
@@ -16,7 +16,7 @@ UGLY = "def f( a,b ):\n    return {'a':a ,\n 'b' : b}\n"
 
 
 def python_files():
-    """All of the repository's, in a fixed order."""
+    """In a fixed order."""
     packages = [path.parent for path in REPOSITORY.glob("*/__init__.py")]
     return sorted([*REPOSITORY.glob("*.py"), *(path for package in packages for path in package.rglob("*.py"))])
 
@@ -34,7 +34,7 @@ class Format(SetupTest):
             self.skipTest(f"black {found} is installed, not {wanted}")
 
     def black(self, *words):
-        """Its cache of earlier results is empty."""
+        """Black's cache is empty."""
         return self.run_command("black", "--config", SETTINGS, *words, env={"BLACK_CACHE_DIR": str(self.folder)})
 
     def test_files(self):

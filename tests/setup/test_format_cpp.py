@@ -1,7 +1,5 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""C++ files are formatted as .clang-format says."""
-
 import re
 import shutil
 import unittest

@@ -1,8 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The oldest CMake that the build accepts: all files and the page state the same, and no command or option used is newer.
+"""The oldest CMake that the build accepts: all files agree, and no command or option is newer.
 
-CMake's manual states the version that added a command, an option or a variable.
+CMake's manual states the version that added each.
 """
 
 import json
@@ -12,7 +12,7 @@ import unittest
 
 from tests.setup.scratch import CMAKE, REPOSITORY, SetupTest
 
-# the first CMake that reads a version of CMakePresets.json
+# reads a version of CMakePresets.json
 PRESETS = {1: (3, 19), 2: (3, 20), 3: (3, 21), 4: (3, 23), 5: (3, 24), 6: (3, 25), 7: (3, 27), 8: (3, 28), 9: (3, 30), 10: (3, 31)}
 
 
@@ -25,19 +25,18 @@ def version(text):
 
 
 def minimum(name):
-    """The version that the CMake file NAME requires."""
     return version(re.search(r"^cmake_minimum_required\(VERSION ([0-9.]+)\)", read(name), re.MULTILINE)[1])
 
 
 def sections(help_option):
-    """The texts of CMake's manual by the name of the command or variable."""
+    """Texts of CMake's manual by command or variable."""
     text = subprocess.run([CMAKE, help_option], capture_output=True, text=True, check=True).stdout
     parts = re.split(r"^(\w+)\n-{2,}$", text, flags=re.MULTILINE)
     return dict(zip(parts[1::2], parts[2::2]))
 
 
 def added(section):
-    """The versions that added the words of a SECTION; "" stands for its subject."""
+    """Versions that added words of a SECTION; "": its subject."""
     found = {}
     for place in re.finditer(r"^ *\.\. versionadded:: ([0-9.]+)", section, re.MULTILINE):
         above = section[: place.start()].strip().rpartition("\n\n")[2]
@@ -48,7 +47,7 @@ def added(section):
 
 
 def calls(text):
-    """Commands of a CMake file with the words in capitals among their arguments."""
+    """With the words in capitals among the arguments."""
     text = re.sub(r"#.*", "", text)
     for call in re.finditer(r"\b([a-z_]+)\(((?:\"(?:\\.|[^\"\\])*\"|[^()\"])*)", text):
         yield call[1], re.findall(r"\b[A-Z][A-Z_]+\b", re.sub(r"\"(?:\\.|[^\"\\])*\"", "", call[2]))
@@ -60,7 +59,6 @@ class LeastCMake(SetupTest):
         self.least = minimum("CMakeLists.txt")
 
     def newer_than(self, least):
-        """Commands, options and variables in our CMake files that are newer than the version LEAST."""
         commands = {name: added(text) for name, text in sections("--help-commands").items()}
         variables = {name: added(text) for name, text in sections("--help-variables").items()}
         newer = set()

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Imitated mirrors of Debian and derived systems: apt gets the source from each, with that system's settings."""
+"""apt gets the source from imitated mirrors of Debian and derived systems."""
 
 import dataclasses
 import email.utils
@@ -19,8 +19,6 @@ DAY = 24 * 60 * 60
 
 @dataclasses.dataclass
 class System:
-    """A system's /etc/os-release and apt settings, and the package's place on its mirror."""
-
     release: str
     settings: str  # MIRROR, DEAD and KEY stand for addresses and for the words about the key
     suite: str
@@ -122,7 +120,7 @@ class Mirrors(SourcePackageTest):
         ).stdout
 
     def mirror(self, suite, component, revisions, made=-DAY, signed=True):
-        """A mirror with these revisions of the package; its index was made `made` seconds from now and is valid for two days."""
+        """The index was made `made` seconds from now, valid for two days."""
         root = self.folder / "mirror"
         source = root / "dists" / suite / component / "source"
         source.mkdir(parents=True)
@@ -156,7 +154,6 @@ class Mirrors(SourcePackageTest):
         return "file:" + urllib.parse.quote(str(root))
 
     def environment(self, system, mirror, key):
-        """The environment in which apt has SYSTEM's settings alone."""
         if system.deb822:
             key = {
                 "": "",

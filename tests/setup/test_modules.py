@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The repository's Python programs run by the names of their modules, in any current folder."""
+"""Python programs run by module name in any folder."""
 
 import re
 import sys
@@ -17,8 +17,6 @@ def modules():
 
 
 class Modules(SetupTest):
-    """Run in a folder whose own modules have the names of ours and of Python's."""
-
     def setUp(self):
         super().setUp()
         for name in (*PACKAGES, "json", "store"):

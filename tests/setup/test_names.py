@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Tests are found by the names of their files, test_*.py and *_test.cpp, and CTest runs all of them."""
+"""CTest runs all test_*.py and *_test.cpp."""
 
 import ast
 import json
@@ -15,12 +15,11 @@ TESTS = REPOSITORY / "tests"
 
 
 def misnamed(paths, pattern, has_tests):
-    """The files whose name says otherwise than their contents."""
+    """Files whose name contradicts their contents."""
     return [str(path) for path in sorted(paths) if bool(re.search(pattern, path.name)) != bool(has_tests.search(path.read_text()))]
 
 
 def left_out_classes(path, calls):
-    """The classes of the module with tests that none of CALLS names, where these name classes."""
     classes = [
         node.name
         for node in ast.parse(path.read_text()).body
@@ -51,7 +50,6 @@ class Names(SetupTest):
         self.assertEqual(found, [str(self.folder / "good.py"), str(self.folder / "test_x.py")])
 
     def called(self):
-        """For each module of tests, its arguments in each of the calls that CTest makes."""
         told = self.run_command("ctest", "--show-only=json-v1", cwd=BUILD)
         self.assert_succeeds(told)
         calls = {}

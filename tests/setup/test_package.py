@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The package for Debian: its files, its control data, and rendering from its installed place."""
+"""The package for Debian: files, control data, rendering as installed."""
 
 import gzip
 import pathlib
@@ -14,7 +14,6 @@ from tests.setup.scratch import BUILD, CMAKE, REPOSITORY, SCENE, SetupTest
 
 CPACK = pathlib.Path(CMAKE).with_name("cpack")
 MAINTAINER = {"DEBFULLNAME": "A tester", "DEBEMAIL": "tester@example.org"}
-# folders of this package alone, and single files in shared folders
 OWN = re.compile(
     r"""/(etc|usr/(lib|share|share/doc))/povray-tilt-lens/.*
     | /usr/bin/povray-tilt-lens
@@ -26,7 +25,6 @@ OWN = re.compile(
 
 
 def pack(test, env):
-    """Makes the package in the test's folder."""
     return test.run_command(CPACK, "--config", BUILD / "CPackConfig.cmake", "-B", test.folder, env=env)
 
 
@@ -109,7 +107,7 @@ class Package(SetupTest):
         self.assert_is_the_source(archive)
 
     def assert_is_the_source(self, archive):
-        """The files under version control, and none that a build leaves."""
+        """Files under version control, and no others."""
         with tarfile.open(archive) as opened:
             held = {name.partition("/")[2] for name in (entry.name for entry in opened if not entry.isdir())}
         self.assertIn("CMakeLists.txt", held)
@@ -121,7 +119,7 @@ class Package(SetupTest):
             self.assertEqual({name for name in wanted if name and (REPOSITORY / name).exists()} - held, set())
 
     def test_source_can_be_configured(self):
-        """The archive of the source suffices, together with the files of upstream that this build was made from."""
+        """The archive suffices, with this build's files of upstream."""
         archive = next((self.root / "usr/share/doc/povray-tilt-lens").glob("*.tar.xz"))
         self.assert_succeeds(self.run_command("tar", "--extract", "--file", archive, "--directory", self.folder))
         cache = dict(re.findall(r"^(\w+):[A-Z]+=(.*)$", (BUILD / "CMakeCache.txt").read_text(encoding="utf-8"), re.MULTILINE))

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""tools/povray_run.py: no settings of the user reach a render, a run that hangs ends, and one that fails says why."""
+"""tools/povray_run.py: the user's settings do not reach a render; a hanging run ends, a failing one says why."""
 
 import os
 import re
@@ -11,7 +11,7 @@ from tests.setup.scratch import POVRAY, REPOSITORY, SetupTest
 from tools import povray_run
 
 COMMAND_LINE = re.compile(r"[\"']\+I\w|[\"']\+I\{|POVINI|#include\\s|POVRAYMS")
-# the module itself; users' own settings and names, and tests of those
+# the module, users' settings, and tests of both
 MAY = (
     "tools/povray_run.py",
     "tools/batch/",
@@ -31,7 +31,7 @@ class Runs(SetupTest):
         return povray_run.run(command, folder or self.folder, env)
 
     def test_user_settings_change_nothing(self):
-        """Neither an INI file that POVINI names nor one in the current folder."""
+        """Neither POVINI's INI file nor one in the current folder."""
         for name in ("user.ini", "povray.ini"):
             (self.folder / name).write_text("Width=16\nOutput_File_Type=J\n+W16\nInput_File_Name=none.pov\nFinal_Frame=3\n")
         with unittest.mock.patch.dict(os.environ, {"POVINI": str(self.folder / "user.ini"), "DISPLAY": ":77"}):
@@ -73,7 +73,7 @@ class Runs(SetupTest):
 
 class Sources(SetupTest):
     def test_include_files(self):
-        """Those of its own folder come before those of others, each once, also in circles; those of nowhere are left out."""
+        """Its own folder's first, each once, also in circles."""
         other = self.folder / "other"
         other.mkdir()
         for path, text in (
@@ -90,7 +90,7 @@ class Sources(SetupTest):
 
 class OneModule(unittest.TestCase):
     def test_no_other_file_says_it_again(self):
-        """Command lines, the user's INI file, the pattern of #include, and messages of state files."""
+        """Command lines, the user's INI file, #include, state files."""
         found = []
         for package in ("tools", "benchmarks", "experiments", "tests"):
             for path in sorted((REPOSITORY / package).rglob("*.py")):

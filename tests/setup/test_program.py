@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The program finds its include files, fonts, ini and permissions: built, installed, and moved."""
+"""The program finds its files: built, installed, moved."""
 
 import hashlib
 import json
@@ -14,7 +14,6 @@ from tests.setup.scratch import BUILD, CMAKE, POVRAY, REPOSITORY, SCENE, SetupTe
 class ProgramTest(SetupTest):
     def setUp(self):
         super().setUp()
-        # without ini and permissions of the user who runs the test
         self.home = self.folder / "home"
         self.home.mkdir()
         (self.folder / "scene.pov").write_text(SCENE, encoding="utf-8")
@@ -54,7 +53,7 @@ class Program(ProgramTest):
         self.assertNotIn(str(REPOSITORY), said)
 
     def test_state_files_name_its_sources(self):
-        """Another program's picture must not be continued, even if only a file of ours differs."""
+        """Another program's picture must not be continued."""
         sources = sorted((path for ending in ("cpp", "h") for path in (REPOSITORY / "povray-src").rglob(f"*.{ending}")), key=str)
         hashes = "".join(hashlib.sha256(path.read_bytes()).hexdigest() + "\n" for path in sources)
         self.assertIn(b", sources " + hashlib.sha256(hashes.encode()).hexdigest().encode(), POVRAY.read_bytes())
@@ -67,7 +66,7 @@ class Program(ProgramTest):
 
 
 class Preview(ProgramTest):
-    """SDL, which loads some thirty libraries, is loaded with the first window, not with the program."""
+    """The first window loads SDL and some thirty libraries."""
 
     def render(self, display, **environment):
         process = self.povray(POVRAY, "+Iscene.pov", "+W16", "+H12", display, "-P", SDL_VIDEODRIVER="dummy", **environment)
@@ -90,7 +89,7 @@ class Preview(ProgramTest):
 
 
 class Hardening(SetupTest):
-    """A write past an array ends the program, and no table of functions can be overwritten."""
+    """A write past an array ends the program; tables of functions are read-only."""
 
     def said(self, *words):
         return self.run_command("readelf", *words, POVRAY).stdout
@@ -104,7 +103,7 @@ class Hardening(SetupTest):
 
 
 class Arithmetic(SetupTest):
-    """Products and sums are rounded one by one, also on processors that could fuse them: all give the same pixels."""
+    """No fused multiplication and addition: all processors give the same pixels."""
 
     COMPUTING = re.compile(r" -o CMakeFiles/(?:tilt_lens|povray|povray_core|povray_own|povray_vfe)\.dir/")
 

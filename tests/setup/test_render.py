@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""./render with the real program: arbitrary file names, and signals."""
+"""./render with the real program: file names and signals."""
 
 import os
 import pathlib
@@ -36,8 +36,6 @@ FOLDER = "mit \u00e4 \U0001f600 \u4e00"
 
 
 class RenderTest(SetupTest):
-    """./render in a copy of the commands, with this build's program."""
-
     def setUp(self):
         super().setUp()
         self.copy = self.folder / "clone"
@@ -106,7 +104,7 @@ class FileNames(RenderTest):
         self.assertTrue((self.place / os.fsdecode(b"latin\xe4.png")).is_file())
 
     def test_first_character(self):
-        """A non-ASCII character directly after a switch, and at the beginning of an INI file's line."""
+        """After a switch, and at the beginning of an INI file's line."""
         self.scene("\u00f6st.pov")
         self.povray("+I\u00f6st.pov", "+O\u00f6.png")
         self.assertTrue((self.place / "\u00f6.png").is_file())
@@ -118,7 +116,7 @@ class FileNames(RenderTest):
         self.assert_succeeds(self.run_command(BUILD / "bin" / "povray", *words, "+W8", "+H6", "-D", cwd=self.place))
 
     def long_path(self, letter, length):
-        """A path of `length` bytes in new nested folders; room is left for .pov."""
+        """`length` bytes; room is left for .pov."""
         path, last = os.fsencode(self.folder), 60
         letter = letter.encode()
         while len(path) + 1 + last < length:
@@ -139,7 +137,7 @@ class FileNames(RenderTest):
                     os.unlink(scene)
 
     def test_long_names_of_other_files(self):
-        """The picture, INI files read and written, a folder of include files; and a missing scene."""
+        """The picture, INI files, include folder; and a missing scene."""
         scene = pathlib.Path(self.long_path("\u00e4", 3000))
         shutil.copy(self.place / self.scene(), scene)
         for include in ("gr\u00fcn.inc", "\u00c4 \u4e00.inc"):
@@ -185,7 +183,7 @@ class FileNames(RenderTest):
 
 class Signals(RenderTest):
     def stopped(self, send):
-        """Exit code and last lines of a render that receives a signal while it traces."""
+        """The program receives the signal while it traces."""
         (self.place / "s.pov").write_text(SLOW, encoding="utf-8")
         state = self.place / "s.pov-state"
         state.unlink(missing_ok=True)
@@ -210,7 +208,6 @@ class Signals(RenderTest):
         return process.returncode, [line for line in said.splitlines() if line.strip()]
 
     def left(self):
-        """Processes that work in this test's folder."""
         found = []
         for name in filter(str.isdigit, os.listdir("/proc")):
             try:

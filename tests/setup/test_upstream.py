@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The pinned source: every failure of its delivery has one clear message, and the next try starts clean."""
+"""Each failed delivery of the source has one message, and the next try starts clean."""
 
 import os
 import shutil
@@ -103,7 +103,7 @@ class Upstream(SourcePackageTest):
         self.assertEqual(list(self.downloads.iterdir()), [])
 
     def test_interrupted_unpacking_is_reported_and_leaves_no_tree(self):
-        # a tar that stops half-way imitates a full disk
+        # imitates a full disk
         tools = self.folder / "tools"
         tools.mkdir()
         (tools / "tar").write_text(

@@ -21,7 +21,7 @@ struct RayOfTest
     std::array<double, 3> origin, direction;
 };
 
-/// Slab method in extended precision: 0 from inside, infinity for a miss. Touching counts.
+/// Extended precision: 0 from inside, infinity for a miss. Touching counts.
 long double EntryOf(const BoxItem& item, const RayOfTest& ray)
 {
     const long double never = std::numeric_limits<long double>::infinity();
@@ -181,14 +181,13 @@ TEST(BoxHierarchy, VisitsFewBoxesInVain)
     EXPECT_LT(visited, 400u);
 }
 
-/// See docs/hierarchies.md.
 TEST(BoxHierarchy, MemoryIsAsDocumented)
 {
     for (const int number : {1000, 20000, 100000})
         EXPECT_LE(Scene(Boxes(number, number, 10.0, 0.04)).hierarchy.Bytes(), 110u * number);
 }
 
-/// Rays along one axis or two, from faces, edges and corners of the boxes, where rounding decides.
+/// Along one axis or two, from faces, edges and corners, where rounding decides.
 TEST(BoxHierarchy, FindsBoxesByRaysAlongAxesAndOnFaces)
 {
     std::vector<BoxItem> items;
@@ -226,7 +225,6 @@ TEST(BoxHierarchy, FindsBoxesFromTinyToHuge)
         const Scene scene(items);
         for (const BoxItem& aim : items)
         {
-            // exactly toward a corner
             RayOfTest ray;
             for (int axis = 0; axis < 3; axis++)
             {
@@ -238,13 +236,13 @@ TEST(BoxHierarchy, FindsBoxesFromTinyToHuge)
     }
 }
 
-/// All boxes in one place but one, without thickness: no split separates them, and the stack suffices.
+/// Boxes without thickness, all but one coincident: no split, but the stack suffices.
 TEST(BoxHierarchy, FindsCoincidentBoxes)
 {
     std::vector<BoxItem> items(5000, BoxItem{{-1, -1, -1}, {1, 1, 1}, nullptr});
     for (int i = 0; i < 3000; i++)
         items.push_back({{-1, -1, -1.0f / (i + 1)}, {1, 1, 1.0f / (i + 1)}, nullptr});
-    // each box is a tenth of the one before, so that bins separate one at a time
+    // a tenth of the one before: bins separate one at a time
     for (int i = 0; i < 60; i++)
         for (int j = 0; j < 3; j++)
             items.push_back({{float(std::pow(10.0, 20 - i)), 0, 0}, {float(std::pow(10.0, 20 - i)), 1, 1}, nullptr});
@@ -254,7 +252,6 @@ TEST(BoxHierarchy, FindsCoincidentBoxes)
     scene.ExpectAllVisited({{3, 4, 5}, {-0.5, -0.7, -0.9}}, std::numeric_limits<double>::infinity());
 }
 
-/// Skipped on processors without AVX2.
 TILT_LENS_FOR_AVX2 unsigned int EnterByAvx2(const EightBoxes& boxes, const RayOfTest& ray, float limit, float* begin)
 {
     return BoxRay<Float8>(ray.origin.data(), ray.direction.data()).Enter(boxes, limit, begin);
@@ -293,7 +290,6 @@ TILT_LENS_FOR_AVX2 std::vector<const void*> WalkByAvx2(const BoxHierarchy& hiera
     return visited;
 }
 
-/// The same objects in the same order.
 TEST(BoxHierarchy, IsWalkedAlikeOnEveryProcessor)
 {
     if (!HasAvx2())

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The noise for AVX2 equals POV-Ray's own functions bit for bit; these are restated here one number at a time.
+// AVX2 noise equals POV-Ray's functions, restated here, bit for bit.
 
 #include "speedups/lattice_noise.h"
 
@@ -39,7 +39,7 @@ class LatticeNoiseTest : public testing::Test
             GTEST_SKIP() << "This processor has no AVX2.";
     }
 
-    /// Contribution of one corner to a component.
+    /// One corner's part of a component.
     double Corner(const Point& point, int component, bool farX, bool farY, bool farZ) const
     {
         const bool isFar[] = {farX, farY, farZ};

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Without the speedups the build applies the other patches without fuzz, and compiles none of the files in povray-src/speedups.
+"""Without the speedups, the other patches apply without fuzz, and nothing of povray-src/speedups is compiled.
 
 usage: test_configures.py SOURCE DOWNLOADS TARBALL
 """
@@ -16,7 +16,6 @@ SETTINGS = {}
 
 
 def configure(folder):
-    """Configures without the speedups; returns CMake's exit code and messages."""
     done = subprocess.run(
         (
             *("cmake", "--preset", "without-speedups", "-S", SETTINGS["source"], "-B", folder),

@@ -1,10 +1,9 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The hierarchies of scenes with tilt_lens (scene_hierarchy.h) against POV-Ray without bounding (-MB): every type of object, random scenes,
-sizes from 1e-9 to 1e12, rays along axes and on faces of boxes, surfaces at equal depth.
+"""Hierarchies of tilt_lens scenes (scene_hierarchy.h) against POV-Ray without bounding (-MB): types of objects, random scenes, sizes from
+1e-9 to 1e12, rays along axes and on faces, equal depth.
 
-A pinhole camera with an empty tilt_lens block has the rays of the same camera without it, which renders as the official program (label
-stock). Stock's own hierarchy (+MB) is no reference, because it misses some rays along faces of boxes."""
+An empty tilt_lens block keeps the camera's rays. Stock's hierarchy (+MB) misses some rays along faces of boxes."""
 
 import random
 
@@ -76,7 +75,6 @@ OBJECTS = {
     "light_group": "light_group { light_source { <3, 3, -3>, 0.7 } sphere { 0, 0.8 } global_lights on }",
 }
 
-# placements that rotate, squeeze and move
 PLACES = [
     "rotate <20, 35, 10> translate <-1.6, 0, 0.4>",
     "rotate <0, 80, -30> scale <0.8, 1.2, 0.7> translate <0.3, -0.1, 2.1>",
@@ -133,11 +131,10 @@ class EveryObject(rendering.RenderTest):
                 self.assert_as_without_boxes(world, f"seed {seed}")
 
     def test_sizes(self):
-        """POV-Ray's tolerances leave little of a tiny world, and nothing beyond 1e7 units."""
+        """POV-Ray's tolerances leave little of a tiny world, nothing beyond 1e7 units."""
         world = placed(OBJECTS["mesh2"]) + placed(OBJECTS["box"]).replace("Thing", "Other").replace("translate <", "translate 1.1*<")
         for size in (1e-9, 1e-6, 1e-2, 1e3, 1e5, 1e9, 1e12):
             with self.subTest(size):
-                # a large world beside the ordinary one, and a tiny one in it
                 self.assert_as_without_boxes(
                     LIGHTS
                     + FLOOR
@@ -147,8 +144,6 @@ class EveryObject(rendering.RenderTest):
                 )
 
     def test_along_axes(self):
-        """Some exactly on faces, edges and corners of boxes."""
-
         def axes(block, direction, up):
             return (
                 f"camera {{ location -4*{direction} direction {direction} right 4*vcross({up}, {direction}) up 3*{up} "
@@ -182,7 +177,7 @@ class EveryObject(rendering.RenderTest):
                 )
 
     def test_degenerate(self):
-        """Boxes without thickness, without size, coincident, and more than one node can separate."""
+        """Flat, empty or coincident boxes, or more than a node separates."""
         world = (
             "".join(f"disc {{ <{0.3*i - 1.5}, 0, {i}>, {'xyz'[i % 3]}, 0.7 pigment {{ rgb <0.{i}, 0.5, 0.7> }} }}\n" for i in range(9))
             + "".join(f"sphere {{ 0, {0.5 + 0.001*i} pigment {{ rgbt <1, {i/40:g}, 0.3, 0.9> }} }}\n" for i in range(40))
@@ -192,7 +187,7 @@ class EveryObject(rendering.RenderTest):
         self.assert_as_without_boxes(LIGHTS + FLOOR + world, "degenerate")
 
     def test_equal_depth(self):
-        """Among coincident surfaces, that of the object named first is visible."""
+        """The object named first is visible."""
         for count in (3, 40):
             boxes = [
                 f"box {{ -1, 1 pigment {{ rgb <{i % 3/2}, {i/count:.3f}, {1 - i/count:.3f}> }} finish {{ ambient 1 diffuse 0 }} }}\n"

@@ -1,13 +1,13 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The bounding hierarchy: the same picture with its boxes and without."""
+"""The picture does not depend on the boxes."""
 
 from tests.render import rendering
 
 LIGHT = "light_source { <40, 60, -50>, 1 }\n"
 SIZE = {"width": 64, "height": 48}
 
-# nodes of one to many children: splits of nested boxes bring nothing
+# splits of nested boxes bring nothing
 NESTED = """
 union { #for (I, 1, 23) sphere { 0, 0.04*I scale <1, 1 + 0.01*I, 1> pigment { rgbt <1, 1 - I/30, 0, 0.8> } } #end
         split_union on translate <-1, 1, 1> }
@@ -33,12 +33,12 @@ INFINITE = """
 plane { y, -0.6 pigment { checker rgb 0.2 rgb 0.8 } } plane { -z, -8 pigment { rgb <0.3, 0.4, 0.7> } }
 sphere { <1, 0, 1e6>, 1e5 pigment { rgb 1 } } sphere { <0, 0, 2>, 1e-4 pigment { rgb 1 } }
 """
-# more than the traversal's stack could hold at once
+# more than the traversal's stack holds at once
 CROWD = """
 #for (I, 1, 90) plane { -z, I/10 - 18 pigment { rgb <0.3, I/90, 0.7> } }
   sphere { <I/300, 0.7, 0>, 0.5 + I/300 pigment { rgbf <1, I/90, 0.5, 0.9> } } #end
 """
-# a mesh whose triangles may be skipped, one with an inside, which needs all intersections, and one mesh per triangle
+# triangles may be skipped; an inside needs all intersections; one mesh per triangle
 TRIANGLES = """
 #declare Dice = seed(5);
 #macro Leaf()
@@ -53,7 +53,7 @@ LEAVES = {
     "all wanted": "mesh { #for (I, 1, 150) Leaf() #end inside_vector <1, 2, 3> }",
     "one by one": "#for (I, 1, 150) mesh { Leaf() } #end",
 }
-# every feature that queries meshes: trace(), patterns, functions, bounding, clipping, CSG, photons, copies with other flags
+# every feature that queries meshes
 ASKED = """
 #macro Corner(A, B) <cos(A)*cos(B), sin(B), sin(A)*cos(B)> #end
 #declare Ball = mesh { #for (I, 0, 23) #for (J, -6, 5)
@@ -77,7 +77,7 @@ global_settings { photons { count 3000 } }
 WORLD = LIGHT + NESTED + SCATTERED + MESHES + INFINITE
 CAMERAS = {
     "perspective": "camera { location <0.3, 0.8, -4> look_at <0, 0.7, 0> }\n",
-    # all rays run along an axis; those in mirrors along two
+    # all along an axis; in mirrors two
     "along an axis": "camera { orthographic location <0.1, 0.7, -4> direction z right 4*x up 3*y }\n",
 }
 TILTED = (

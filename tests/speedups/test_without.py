@@ -1,10 +1,10 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A second build without the speedups, in build/without-speedups: it passes the groups `render` and `oracle`, and has the same pictures.
+"""The build in build/without-speedups passes the groups `render` and `oracle`, and has the same pictures.
 
 usage: test_without.py SOURCE DOWNLOADS TARBALL POVRAY COMPARE
 
-Pictures may differ at points where objects lie at exactly equal depth (docs/hierarchies.md); the scenes here have none.
+The scenes have no objects at equal depth (docs/hierarchies.md).
 """
 
 import os
@@ -26,7 +26,6 @@ SCENES = (
 
 
 def run(*command, folder=None):
-    """Exit code and messages."""
     done = subprocess.run(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", check=False)
     return done.returncode, done.stdout
 

@@ -2,9 +2,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Compares the pixels of one scene without tilt_lens, rendered by the unpatched program and by the fork.
 
-Files contain dates and versions, so the decoded pixels are compared, with 16 bits in each channel. Both run with
-one thread (radiosity and area lights depend on the number of threads), the same library path, and no settings but
-those given here."""
+Files contain dates and versions, so 16-bit decoded pixels are compared. Both use one thread, on which radiosity and area lights depend."""
 
 import argparse
 import hashlib
@@ -32,7 +30,7 @@ def arguments():
 
 
 def render(program, args, folder):
-    """Renders in a folder of its own, with copies of the scene's neighbours; returns the picture."""
+    """Copies of the scene's neighbours lie beside it."""
     if folder.exists():
         shutil.rmtree(folder)
     folder.mkdir(parents=True)
@@ -41,7 +39,7 @@ def render(program, args, folder):
         if neighbour.is_file():
             shutil.copyfile(neighbour, folder / neighbour.name)
     picture = folder / "picture.png"
-    # the unpatched program does not know the word; the fork lets no scene write in the build folder, as one of these does
+    # unknown to the unpatched program; the fork lets no scene write in the build folder, as one does
     unrestricted = ["--unrestricted"] if folder.name == "fork" else []
     command = povray_run.command(
         program,
@@ -63,7 +61,6 @@ def render(program, args, folder):
 
 
 def pixels(compare, picture):
-    """Size, type and hash of the decoded pixels."""
     head, data = povray_run.pixels(compare, picture).split(b"\n", 1)
     return head.decode(), hashlib.sha256(data).hexdigest()
 

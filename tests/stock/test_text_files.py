@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Text read by #include, macros of other files, loops and #read equals that of the unpatched program: all output by
-#debug is compared."""
+"""Text of #include, macros, loops and #read equals the unpatched program's, by #debug."""
 
 import argparse
 import pathlib
@@ -39,7 +38,7 @@ class TextFiles(unittest.TestCase):
         )
 
     def test_last_of_its_file(self):
-        """Nothing follows the #end of the macro, not even a line end."""
+        """Not even a line end follows."""
         for end in ("\n", "\r\n", "\r"):
             with self.subTest(end=end):
                 self.check(
@@ -74,7 +73,7 @@ class TextFiles(unittest.TestCase):
         self.check("".join(f'#include "f{i}.inc"\n' for i in range(40)) + once + once, [str(i) for i in range(40)] * 2, **files)
 
     def test_error_in_a_macro_names_its_line(self):
-        """The second time, too, when the file was open."""
+        """Also the second time, with the file open."""
         scene, files = '#include "a.inc"\nA(1)\nA(0)\n', {"a.inc": '\n\n#macro A(N)\n #if (N = 0)\n  #error "none"\n #end\n#end\n'}
         stock, fork = (told(program, scene, files) for program in (PROGRAMS.stock, PROGRAMS.fork))
         self.assertEqual(len(fork), 1)
@@ -101,7 +100,7 @@ class TextFiles(unittest.TestCase):
         self.check('#declare I = 0;\n#include "a.inc"\n', ["0", "1"], a="#while (I < 2)\nTold(str(I, 0, 0))\n#declare I = I + 1;\n#end\n")
 
     def test_long_loop(self):
-        """Longer than the unpatched program's buffer for a file."""
+        """The loop is longer than the unpatched program's buffer."""
         filler = "// nothing but a comment, to make the loop long\n" * 40
         self.check(f"#declare I = 0;\n#while (I < 3)\n{filler}Told(str(I, 0, 0))\n{filler}#declare I = I + 1;\n#end\n", ["0", "1", "2"])
 

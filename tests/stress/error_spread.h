@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file error_spread.h
-/// Distribution of errors: counts by powers of ten, and the worst.
+/// Errors by powers of ten, and the worst.
 
 #ifndef TILT_LENS_TESTS_ERROR_SPREAD_H
 #define TILT_LENS_TESTS_ERROR_SPREAD_H

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file error_spread_test.cpp
-/// No error counts as zero, however large: the tables consist of these counts.
+/// Every error is counted, however large.
 
 #include <limits>
 

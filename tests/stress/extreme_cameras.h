@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file extreme_cameras.h
-/// Cameras at the limits of floating point, one set for each limit: random cameras of the unit tests, pulled to an
-/// extreme.
+/// Random cameras pulled to each limit of floating point.
 
 #ifndef TILT_LENS_TESTS_EXTREME_CAMERAS_H
 #define TILT_LENS_TESTS_EXTREME_CAMERAS_H
@@ -35,7 +34,7 @@ inline double DistanceToFocus(const Request& r)
     return Length(r.given.focalPoint - r.camera.location);
 }
 
-/// Sets the plane of sharp focus by normal and a point, as a scene would write it.
+/// By normal and point, as in a scene.
 inline void SetPlane(Request& r, const Vec3& normal, const Vec3& point)
 {
     r.given.family = FocusFamily::FocalPlane;
@@ -47,11 +46,11 @@ inline void PullTilt(Random& random, Request& r, FilmPoint&)
 {
     r.given.family = FocusFamily::LensTurn;
     (random.Coin() ? r.given.tilt : r.given.swing) = Sign(random) * (random.Coin() ? 89.9 : random(75.0, 89.9));
-    // on the axis: a point aside would be behind the lens
+    // a point aside would be behind the lens
     r.given.focalPoint = r.camera.location + DistanceToFocus(r) * AxisOf(r.camera);
 }
 
-/// Parallel to the ray up to 1e-12, so that its focus is almost at infinity, or exactly parallel in an axis-aligned camera.
+/// Parallel to the ray up to 1e-12, or exactly: the focus is almost at infinity.
 inline void PullParallel(Random& random, Request& r, FilmPoint& at)
 {
     if (random.Coin())
@@ -67,7 +66,7 @@ inline void PullParallel(Random& random, Request& r, FilmPoint& at)
     SetPlane(r, normal, r.camera.location + DistanceToFocus(r) * random(-1.0, 1.0) * across);
 }
 
-/// Steep, and crossing the frame close to the lens.
+/// The plane crosses the frame close to the lens.
 inline void PullThroughView(Random& random, Request& r, FilmPoint&)
 {
     const Vec3 axis = AxisOf(r.camera);
@@ -111,7 +110,7 @@ inline void PullFartherCamera(Random& random, Request& r, FilmPoint&)
     MoveAway(random, r, 1e12);
 }
 
-/// The whole world larger or smaller, with or without the scene unit.
+/// The whole world is scaled, with or without the scene unit.
 inline void PullScale(Random& random, Request& r, FilmPoint&)
 {
     const double scale = random.Power(-9.0, 9.0);
@@ -147,13 +146,13 @@ inline void PullFilm(Random& random, Request& r, FilmPoint&)
         r.given.focalLength = *r.given.focalLength * ratio;
 }
 
-/// Angles of view down to a telescope's and far below.
+/// Down to a telescope's angle of view, and far below.
 inline void PullNarrow(Random& random, Request& r, FilmPoint&)
 {
     const double share = random.Power(-9.0, -4.0);
     r.camera.right = share * r.camera.right;
     r.camera.up = share * r.camera.up;
-    // it would set the angle of view
+    // a focal length would set the angle of view
     r.given.focalLength.reset();
 }
 
@@ -165,7 +164,7 @@ inline void PullCorners(Random& random, Request&, FilmPoint& at)
     at = {Sign(random) * middle, Sign(random) * middle};
 }
 
-/// Replaces some numbers by extremes of floating point.
+/// Some numbers become extremes of floating point.
 inline void PullOddNumbers(Random& random, Request& r, FilmPoint&)
 {
     Statement& s = r.given;
@@ -189,7 +188,6 @@ inline void PullOddNumbers(Random& random, Request& r, FilmPoint&)
         *fields[std::size_t(random(0.0, double(fields.size())))] = odd[std::size_t(random(0.0, double(sizeof odd / sizeof *odd)))];
 }
 
-/// Several extremes at once.
 inline void PullSeveral(Random& random, Request& r, FilmPoint& at)
 {
     void (*const pulls[])(Random&, Request&, FilmPoint&) = {PullTilt,     PullParallel,  PullThroughView,   PullBehind,

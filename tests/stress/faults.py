@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Faults around a render: killed, disk full, read-only, no memory, standard output closed."""
+"""Faults around a render: killed, disk, memory, standard output."""
 
 import os
 import pathlib
@@ -17,7 +17,7 @@ from tools import povray_run
 KILLS = 50
 SIZE = {"width": 96, "height": 72}
 LIMITS = "blur_samples 64, 300 variance 1/10000 "
-# fixed samples per pixel; adaptive samples, with and without neighbours
+# fixed and adaptive samples, with and without neighbours
 SLOW = scenes.camera(samples="blur_samples 300 variance 0 ") + scenes.WORLD
 WAYS = (
     SLOW,
@@ -33,11 +33,11 @@ def use(setup):
 
 
 def run(folder, scene, *options, through=(), **how):
-    """Exit code and messages of a render in a folder, optionally through a command that starts others. `how`: for povray_run.run()"""
+    """Exit code and messages. `how`: for povray_run.run()"""
     job = rendering.Job(scene, options, **how.pop("size", SIZE))
     job.write(folder)
     done = povray_run.run([*through, *job.command()], folder, **how)
-    # a remark at every start if the user has no settings
+    # for users without settings
     return done.code, "\n".join(line for line in done.said.splitlines() if "configuration file" not in line)
 
 
@@ -50,13 +50,13 @@ def is_whole(path, whole):
 
 
 def torn(folder, whole):
-    """True if a truncated picture has the picture's name."""
+    """A truncated picture has the picture's name."""
     path = folder / "picture.png"
     return path.exists() and path.stat().st_size > 0 and not is_whole(path, whole)
 
 
 def killed(count, wholes, stop):
-    """Stopped at a random moment by a signal and continued: the same pixels, and finished work is not repeated."""
+    """Stopped at random and continued: the same pixels, no finished work repeated."""
     r = random.Random(int(stop))
     found = {"tries": count, "same": 0, "torn": 0, "kept": 0, "before_first_block": 0, "after_end": 0}
     usual = []
@@ -74,7 +74,6 @@ def killed(count, wholes, stop):
 
 
 def one_kill(folder, scene, whole, stop, moment):
-    """The outcome of one render, as numbers of 0 and 1."""
     process = rendering.Job(scene, OPTIONS, **SIZE).start(folder)
     time.sleep(moment)
     late = process.poll() is not None
@@ -84,7 +83,7 @@ def one_kill(folder, scene, whole, stop, moment):
     state = list(folder.glob("*.pov-state"))
     stored = state[0].stat().st_size if state else 0
     said = rendering.Job(scene, (*OPTIONS, "+C"), **SIZE).run(folder)
-    # a state file of that size holds at least one block
+    # holds at least one block
     kept = stored < 5000 or "Pixels:" in said and _pixels(said) < SIZE["width"] * SIZE["height"]
     return {"same": is_whole(folder / "picture.png", whole), "torn": tear, "kept": kept, "before_first_block": not state, "after_end": late}
 
@@ -114,7 +113,7 @@ def case(name, code, said, whole, folder, words):
 
 
 def environment(whole):
-    """Full disk, read-only folder, closed or full standard output, little address space, two renders in one folder."""
+    """Disk, folder, standard output, address space, two renders in one folder."""
     rows = []
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name) / "full"
@@ -143,8 +142,7 @@ def _many_spheres(count):
 
 
 def full_disk(folder):
-    """A small file system or, if none can be mounted, a limit on the size of files. With room again, +C finishes
-    the picture without rendering the tiles of the state file again."""
+    """A small file system, else a limit on file sizes. With room again, +C keeps the state file's tiles."""
     size = {"width": 320, "height": 240}
     whole = rendering.render(QUICK, *OPTIONS, **size)
     mounted = (
@@ -157,7 +155,7 @@ def full_disk(folder):
         if mounted:
             subprocess.run(["mount", "-o", "remount,size=16m", str(folder)], check=True)
         again, said = run(folder, QUICK, *OPTIONS, "+C", size=size)
-        # the state file holds a tenth of the picture in 192 KiB, and more in 512
+        # 192 KiB: a tenth of the picture; 512: more
         left = (0.9 if mounted else 0.95) * size["width"] * size["height"]
         kept = again == 0 and _pixels(said) < left
         named = "picture.png" in row["said"] or "picture.pov-state" in row["said"]
@@ -174,13 +172,12 @@ def _small_files():
 
 
 def read_only(folder, whole):
-    """An output folder without write permission."""
     code, said = run(folder, QUICK, *OPTIONS, "+Oout/picture.png", through=povray_run.held_to_permissions())
     return case("read-only output folder", code, said, whole, folder, ("cannot", "denied", "not permitted", "failed"))
 
 
 def listening(whole, kind):
-    """Standard output without a reader: the picture is finished, or the exit code reports the failure."""
+    """Without a reader: a finished picture or a failing exit code."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)
         if kind == "closed":
@@ -207,7 +204,7 @@ def listening(whole, kind):
 
 
 def two_in_one_folder(whole):
-    """The same picture twice at once into one folder: after each end, the file is complete."""
+    """After each end, the file is complete."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)
         job = rendering.Job(SLOW, OPTIONS, **SIZE)

@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The long fuzz run: libFuzzer on the solver, the readers of prescriptions and the parser, and the grammar's blocks against the sanitized
-parser."""
+"""The long fuzz run: solver, readers, parser, and the grammar's blocks."""
 
 import os
 import re
@@ -13,12 +12,11 @@ from tools.povray_run import WITHOUT_LEAKS
 from tools.repository import ROOT
 
 BLOCKS, SHARD, SECONDS = 20_000, 1000, 600
-# an outcome depends on these besides the two programs
 SCRIPTS = sorted((ROOT / "tests" / "fuzz").glob("*.py"))
 
 
 def drop_refused(corpus):
-    """Removes inputs that parser_fuzz.cpp ignores: libFuzzer before LLVM 15 keeps them."""
+    """libFuzzer before LLVM 15 keeps inputs that parser_fuzz.cpp ignores."""
     for path in corpus.iterdir():
         data = path.read_bytes()
         if set(data) & set(b'#"') or any(not 32 <= byte < 127 and byte not in b"\n\t" for byte in data):
@@ -26,8 +24,7 @@ def drop_refused(corpus):
 
 
 def libfuzzer(name, program, corpus, length, runs, seconds):
-    """Runs from the kept corpus: runs, time, coverage, and the finding as text. Without a number of runs it takes a
-    fixed time and keeps new inputs."""
+    """Runs, time, coverage, finding. Without a number of runs: a fixed time, and new inputs are kept."""
     kept.unpack(name, corpus)
     words = corpus.parent / f"{name}.dict"
     words.write_text("".join(f'"{word}"\n' for word in (*grammar_of_blocks.WORDS, "rgb", "<", ">", "{", "}", ", ", "1e309")))
@@ -95,7 +92,7 @@ def grammar(setup, work, tree, count):
 
 
 def measure(setup, count=BLOCKS, runs=0, seconds=SECONDS):
-    """Uses programs of the preset fuzz if they are built, else the release build's."""
+    """The preset fuzz if built, else the release build."""
     work = setup.work("fuzz")
     sanitized = setup.build / "fuzz"
     built = (sanitized / "tests" / "fuzz" / "parse_blocks").is_file() and (sanitized / "bin" / "povray").is_file()

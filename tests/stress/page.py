@@ -1,7 +1,5 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Makes docs/numerics.md and its plots from the stored results."""
-
 import subprocess
 
 from tests.stress import rays, reports, results, soak
@@ -140,7 +138,7 @@ def rays_section(result):
 
 
 def plot(name, label, powers, spreads):
-    """Shares of rays by powers of ten of the error."""
+    """By powers of ten of the error."""
     lines = [
         "\n".join(f"{power} {spread['by_power'].get(str(power), 0) / max(1, spread['count'])}" for power in powers) for _, spread in spreads
     ]
@@ -267,7 +265,6 @@ def fuzz_section(result):
 
 
 def sanitizers_section(result):
-    """Programs under sanitizers, and upstream's suppressed findings."""
     text = (
         "\n## Sanitizers\n\nThe whole program runs under sanitizers. A finding is ours if a frame of its stack lies in one of our "
         "files. Findings in\nupstream's code that are known by name are counted separately.\n\n"

@@ -1,9 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Properties of correct pictures that do not depend on the sampler: constant surroundings, mirrors, moved worlds, noise.
+"""Correct pictures whatever the sampler: constant surroundings, mirrors, moved worlds, noise.
 
-Independent pictures of one scene come as in tests/reference/scenes/batch.inc: the frame is made wider by whole pixels, so that the same
-film point falls into another pixel and gets other samples.
+Independent pictures as in tests/reference/scenes/batch.inc: a wider frame gives a film point other samples.
 """
 
 import math
@@ -32,14 +31,14 @@ def use(setup):
 
 
 def random_lens(r):
-    """A solvable block for a camera at the origin that looks along z, and its aperture."""
+    """The camera looks along z."""
     kind = r.randrange(4)
     if kind == 0:
         focus = f"tilt {r.uniform(-60, 60):.4f} swing {r.uniform(-60, 60):.4f} "
     elif kind == 1:
         focus = f"focus_tilt {r.uniform(-85, 85):.4f} focus_swing {r.uniform(-85, 85):.4f} "
     else:
-        # through a point of the axis in front
+        # in front
         n = (r.uniform(-2, 2), r.uniform(-2, 2), 1.0)
         z = 10 ** r.uniform(-0.5, 3)
         if kind == 2:
@@ -72,7 +71,7 @@ def random_lens(r):
 
 
 def furnaces(setup, count, work):
-    """The largest departure from constant light, over random cameras: two of each, with a sky and inside a ball."""
+    """Departure from constant light, over random cameras: a sky, and inside a ball."""
     r = random.Random(4)
     cases = []
     for i in range(1, count + 1):
@@ -115,7 +114,7 @@ def furnaces(setup, count, work):
 
 
 def camera(lens, batch=0, aperture=0.3, samples="blur_samples 32 variance 0", tail="", location="<0.4, 1.5, -4>", look_at="<0, 0.5, 0.5>"):
-    """A camera whose frame is `batch` pixels wider on each side."""
+    """The frame is `batch` pixels wider on each side."""
     wide, high = (WIDTH + 2 * batch) / WIDTH, (HEIGHT + 2 * batch) / HEIGHT
     return (
         f"camera {{ location {location} direction 1.3*z right {WIDTH / HEIGHT * wide!r}*x up {high!r}*y "
@@ -130,12 +129,12 @@ def picture(scene, batch=0):
 
 
 def independent(scene_of, count, jobs):
-    """`count` independent pictures: scene_of(batch) has a frame that is wider by `batch`."""
+    """scene_of(batch) has a frame wider by `batch`."""
     return results.in_parallel(jobs, lambda k: picture(scene_of(9 * k + 1), 9 * k + 1).values, range(count))
 
 
 def block_scores(left, right, flip):
-    """Largest |z| of the mean difference over blocks of 8 by 8 pixels; left and right are lists of pictures."""
+    """Largest |z| of the mean difference over 8 by 8 pixels."""
     channels = len(left[0]) // (WIDTH * HEIGHT)
 
     def at(values, x, y):
@@ -162,7 +161,7 @@ def block_scores(left, right, flip):
 
 
 def mirrors(setup, count, pictures):
-    """Camera and world mirrored: the flipped picture, within the noise."""
+    """The mirrored scene gives the flipped picture, within the noise."""
     r = random.Random(8)
     worst, wrong = 0.0, None
     for _ in range(count):
@@ -182,7 +181,7 @@ def mirrors(setup, count, pictures):
 
 
 def moved_worlds(setup, count):
-    """Camera and world transformed together: the same picture up to rounding at edges."""
+    """The same picture up to rounding at edges."""
     r = random.Random(12)
     jobs = []
     for _ in range(count):
@@ -204,7 +203,7 @@ def moved_worlds(setup, count):
 
 
 def noise(setup, most, pictures):
-    """Variance against samples: between independent pictures, mean over pixels; the slope is fitted."""
+    """Between independent pictures, mean over pixels; fitted slope."""
     rows = []
     samples = 8
     while samples <= most:
@@ -230,8 +229,7 @@ def measure(setup, cameras=FURNACES, few=12, pictures=6, samples=2048):
 
 
 def limit_of_scores(result):
-    """The limit that the largest of `count` values |t| with few degrees of freedom exceeds once in 1000 runs
-    (Sidak)."""
+    """The largest of `count` values |t| exceeds it once in 1000 runs (Sidak)."""
     mirror = result["mirror"]
     blocks = (WIDTH // 8) * math.ceil(HEIGHT / 8) * mirror["cameras"]
     share = 1 - (1 - 1e-3) ** (1 / blocks)
@@ -239,11 +237,10 @@ def limit_of_scores(result):
 
 
 def students_quantile(p, freedom):
-    """Quantile of Student's t, by bisection of its integral."""
     scale = math.exp(math.lgamma((freedom + 1) / 2) - math.lgamma(freedom / 2)) / math.sqrt(freedom * math.pi)
 
     def beyond(t, steps=4000):
-        # the tail's integral, with t/x as the variable
+        # with t/x as the variable
         total = 0.0
         for i in range(steps):
             x = (i + 0.5) / steps

@@ -2,17 +2,14 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file rays.cpp
-/// Solver and rays against 50 digits, camera after camera: `stress_rays SET CAMERAS SEED` writes tallies as JSON. SET is `random`
-/// (photography) or one of extreme_cameras.h.
+/// Solver and rays against 50 digits: `stress_rays SET CAMERAS SEED` writes JSON. SET: `random` (photography) or one of extreme_cameras.h.
 ///
-/// Two errors of a ray. In units of the last place: the length of the difference of the directions, relative to the
-/// direction's length, over 2^-52. In pixels of a picture 100,000 pixels wide: the distance on the film to the film point
-/// whose true ray has the computed direction. For a lens that reaches to the film that map flips (its determinant 1 - k.l
-/// passes 0); the angle between the two directions in pixels of the chief ray counts if it is smaller.
+/// Errors of a ray. Last places: length of the difference over that of the direction, over 2^-52. Pixels, of 100,000: on the film, to the
+/// point whose true ray has this direction. A lens that reaches to the film flips that map (its determinant 1 - k.l passes 0); the angle in
+/// the chief ray's pixels counts if smaller.
 ///
-/// In a narrow picture the last places of a direction's three doubles alone exceed a millionth of a pixel. There the error
-/// is compared with the rounding error: that of the true direction rounded to nearest, and the largest angle by which such
-/// a rounding can turn it.
+/// In a narrow picture the last places alone exceed a millionth of a pixel: there the error is relative to rounding to nearest, and to the
+/// largest angle of such a rounding.
 
 #include <cstdio>
 #include <fstream>
@@ -39,18 +36,17 @@ using nlohmann::json;
 
 const double kPictureWidth = 1e5;  ///< pixels
 
-/// Pixels per radian beyond which 1e-6 of a pixel is below the last place of a direction: at 100,000 pixels an angle of view under 0.0013
-/// degrees.
+/// Beyond it, 1e-6 of a pixel is below a direction's last place: 100,000 pixels in less than 0.0013 degrees.
 const double kNarrow = 1e-6 / 0x1p-52;
 
-/// One camera of so many is tried with the obvious formula.
+/// One of so many cameras also tries the obvious formula.
 const std::uint64_t kObviousEvery = 8;
 
 struct Errors
 {
     double ulps, pixels, origin, condition, pixelsPerRadian;
     double roundedPixels;  ///< of the true direction, rounded to nearest
-    double roundings;      ///< angle between the directions, over the largest angle by which rounding to nearest turns one
+    double roundings;  ///< angle over the largest by rounding to nearest
 };
 
 double AsDouble(const Exact& value)
@@ -58,10 +54,9 @@ double AsDouble(const Exact& value)
     return value.convert_to<double>();
 }
 
-/// Film point whose true ray through l has this direction, as an offset in pixels.
+/// Film point with this true direction through l, as an offset in pixels.
 double FilmOffset(const V& right, const V& up, const V& truth, const V& direction)
 {
-    // direction = a truth + b right + c up, by Cramer's rule
     const Exact a = direction.Dot(right.Cross(up)), b = truth.Dot(direction.Cross(up)), c = truth.Dot(right.Cross(direction));
     const Exact determinant = truth.Dot(right.Cross(up));
     if (!(a * determinant > 0))
@@ -70,14 +65,13 @@ double FilmOffset(const V& right, const V& up, const V& truth, const V& directio
     return std::hypot(dx, dy) * kPictureWidth;
 }
 
-/// Sine of the angle between two directions, which is the angle itself if small.
+/// Equals the angle if that is small.
 Exact AngleBetween(const V& a, const V& b)
 {
     return a.Cross(b).Length() / (a.Length() * b.Length());
 }
 
-/// The largest angle by which rounding each number to nearest turns a direction: half a last place of each. Subnormal numbers round as the
-/// least normal one.
+/// Half a last place of each number; subnormals round as the least normal one.
 Exact MostByRounding(const V& direction)
 {
     Exact sum = 0;
@@ -118,7 +112,7 @@ Errors ErrorsOf(const ReferenceCamera<Exact>& reference, const CameraFrame& came
             narrow ? AsDouble(AngleBetween(truth.direction, direction) / MostByRounding(truth.direction)) : 0.0};
 }
 
-/// The obvious formula: the point of sharp focus minus the lens point, normalised.
+/// Normalised difference of the point of sharp focus and the lens point.
 Vec3 Obvious(const Lens& lens, double x, double y, double a, double b)
 {
     const Vec3 chief = lens.direction + x * lens.right + y * lens.up;
@@ -128,7 +122,7 @@ Vec3 Obvious(const Lens& lens, double x, double y, double a, double b)
     return Normalized(P - (a * lens.lensX + b * lens.lensY));
 }
 
-/// Such a lens is accepted with a warning.
+/// the library accepts such a lens with a warning
 bool ReachesFilm(const Lens& lens)
 {
     return std::hypot(Dot(lens.lensX, lens.axis), Dot(lens.lensY, lens.axis)) >= lens.filmDistance;
@@ -147,7 +141,7 @@ struct Run
     void KeepWorst(const Request& request, double x, double y, double a, double b, const Errors& e);
 };
 
-/// Words of a message before its first number or vector.
+/// Words before the first number or vector.
 void Run::Refuse(const std::string& message)
 {
     refused++;
@@ -238,8 +232,8 @@ json Report(const Run& run)
             {"worst", run.worst}};
 }
 
-} // namespace
-} // namespace tilt_lens
+}  // namespace
+}  // namespace tilt_lens
 
 int main(int argc, char** argv)
 {

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Solver and rays against 50 digits: ten million random cameras, and each extreme."""
+"""Ten million random cameras and each extreme, against 50 digits."""
 
 from tests.stress import results
 
@@ -43,7 +43,7 @@ def merge(tallies):
         for t in tallies:
             for power, count in t[name]["by_power"].items():
                 powers[power] = powers.get(power, 0) + count
-        # JSON has no infinity: the program writes null
+        # infinity is null in JSON
         worst = [t[name]["worst"] for t in tallies]
         total[name] = {"count": sum(t[name]["count"] for t in tallies), "by_power": powers, "worst": None if None in worst else max(worst)}
     total["refusals"] = {}
@@ -54,7 +54,6 @@ def merge(tallies):
 
 
 def measure(setup, cameras=RANDOM, extreme=EXTREME, shard=SHARD):
-    """Tallies of the random set and of each extreme one."""
     work, tool = setup.work("rays"), setup.tool("stress_rays")
     jobs = [("random", min(shard, cameras), 1000 + i) for i in range(max(1, cameras // shard))]
     jobs += [(name, extreme, 1) for name in SETS]

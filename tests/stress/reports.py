@@ -1,10 +1,9 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Parses the reports of sanitizers: the findings, whose code they are in, and whether they are known.
+"""Parses sanitizers' reports: the findings, their code, and whether they are known.
 
-A finding is ours if a frame of its stacks is in one of our files. ThreadSanitizer's own suppressions match any
-frame, so the name of a thread's first function would hide the whole thread. Here, a name must match the innermost
-function of a side of a race, and both sides must be known."""
+A finding is ours if one of our files is in its stacks. ThreadSanitizer's suppressions match any frame and could hide a whole thread;
+here both sides' innermost functions must be known."""
 
 import collections
 import pathlib
@@ -14,7 +13,7 @@ from tools.repository import ROOT
 
 SUPPRESSIONS = ROOT / "tests" / "stress" / "suppressions"
 OURS = re.compile(r"povray-src/")
-# beginnings of findings, for each tool, and lines that may belong to them
+# first lines of findings by tool, and lines that may belong to them
 BLOCKS = re.compile(
     r"(?:^.*runtime error: .*$|^.*(?:ERROR|WARNING): (?:Address|Leak|Thread)Sanitizer.*$"
     r"|^==\d+== (?:Invalid|Conditional|Use of|Syscall).*$)"
@@ -22,10 +21,10 @@ BLOCKS = re.compile(
     r"|0x[0-9a-f]+(?: is located|: note:)| [0-9a-f]{2} |==\d+==(?:The signal|Hint)).*)*",
     re.MULTILINE,
 )
-# a report of ThreadSanitizer, and foreign lines within it
+# a report, and foreign lines within it
 THREADS = re.compile(r"^WARNING: ThreadSanitizer.*?^SUMMARY: ThreadSanitizer", re.MULTILINE | re.DOTALL)
 FOREIGN = re.compile(r"^(?!WARNING: ThreadSanitizer|SUMMARY|  |\n).*\n", re.MULTILINE)
-# the two conflicting accesses of a race; other stacks show allocations
+# conflicting accesses; other stacks show allocations
 SIDE = re.compile(r"^  (?!Location)\S.* of size \d+ at 0x.*\n((?:    [#\[].*\n?)+)", re.MULTILINE)
 LOST = "failed to restore the stack"
 FRAME = re.compile(r"^    #\d+ (.*?) (\S+?)(?::\d+)*(?: \([^()]*\))?$", re.MULTILINE)
@@ -36,7 +35,7 @@ SMALL = re.compile(
 
 
 def innermost(stack):
-    """First function of a stack that is the program's own."""
+    """First function that is the program's own."""
     for function, path in FRAME.findall(stack):
         if not path.startswith(LIBRARIES) and not SMALL.match(function):
             return function
@@ -44,7 +43,7 @@ def innermost(stack):
 
 
 def known(block, names):
-    """The names that explain a race; none if a side of it is unknown."""
+    """None if one side is unknown."""
     sides = SIDE.findall(block) if "ThreadSanitizer" in block else []
     seen = [innermost(stack) for stack in sides if LOST not in stack]
     found = {next((name for name in names if re.match(re.escape(name) + r"(?:\(|<|$)", function)), None) for function in seen}
@@ -52,7 +51,7 @@ def known(block, names):
 
 
 def suppressed(tool):
-    """The names in a tool's file, each with the reason above it."""
+    """Names in a tool's file, each below its reason."""
     pairs, reason = [], []
     lines = (SUPPRESSIONS / f"{tool}.txt").read_text().split("\n\n", 1)[1].splitlines()
     for number, line in enumerate(lines):
@@ -68,11 +67,11 @@ def suppressed(tool):
 
 
 def findings(folder, suppress=True):
-    """Findings of all logs, (ours, others), and the count of each pair of known names."""
+    """(ours, others), and the count of known pairs."""
     names = [name.split(":", 1)[1] for name, _ in suppressed("tsan")] if suppress else []
     ours, others, met = [], [], collections.Counter()
     for path in pathlib.Path(folder).glob("log.*"):
-        # messages of the program may come in between
+        # messages may come in between
         text = THREADS.sub(lambda report: FOREIGN.sub("", report[0]), path.read_text(errors="replace"))
         for block in BLOCKS.findall(text):
             pair = known(block, names)

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Common to the parts of the stress run: folders, results on disk, parallel work."""
+"""Shared by the stress run: folders, results, parallel work."""
 
 import concurrent.futures
 import dataclasses
@@ -39,7 +39,7 @@ class Setup:
 
 
 def save(part, result):
-    """Stores a result for the page; the same numbers give the same bytes."""
+    """The same numbers give the same bytes."""
     RESULTS.mkdir(parents=True, exist_ok=True)
     text = json.dumps(result, indent=1, sort_keys=True)
     (RESULTS / f"{part}.json").write_text(text + "\n")
@@ -51,8 +51,7 @@ def load(part):
 
 
 def once(folder, name, made_with, make, faults):
-    """The result of make(), or the stored one if the same program and scripts made it. A result with faults(result)
-    is not stored: the next run makes it again."""
+    """Stored for the same program and scripts. Results with faults are made again."""
     digest = hashlib.sha256()
     for path in made_with:
         digest.update(hashlib.sha256(pathlib.Path(path).read_bytes()).digest())

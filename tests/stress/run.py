@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Measures and writes docs/numerics.md: python3 -m tests.stress.run [PART...], all parts without one.
 
-A part without faults is kept in docs/numerics/PART.json, and the page is written from all kept results. Interrupted
-parts continue. `--page` only writes the page; `--quick` measures small sizes and keeps nothing."""
+A part without faults is kept in docs/numerics/PART.json. Interrupted parts continue. `--page` only writes the page; `--quick` measures
+small sizes and keeps nothing."""
 
 import argparse
 import dataclasses
@@ -17,7 +17,7 @@ from tests.stress import page, results
 from tools.repository import BUILD
 
 PARTS = ("rays", "sampler", "pictures", "sanitizers", "fuzz", "faults", "soak", "scale", "shortly")
-# programs that the long forms need in addition to those of ./check; the Debian packages have the same names
+# additional programs of the long forms; the Debian packages have the same names
 TOOLS = {"sanitizers": "valgrind"}
 QUICK = {
     "rays": {"cameras": 20_000, "extreme": 1000, "shard": 10_000},
@@ -31,7 +31,7 @@ QUICK = {
 
 
 def quickly(setup, names):
-    """The faults of the short forms. No run takes results of another."""
+    """No run takes another's results."""
     broken = []
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as folder:
         setup = dataclasses.replace(setup, unfinished=pathlib.Path(folder))
@@ -42,7 +42,7 @@ def quickly(setup, names):
 
 
 def at_length(setup, names):
-    """Faults of the long forms. Results without faults are stored for the page."""
+    """Results without faults are stored."""
     broken = []
     for name in names:
         part = importlib.import_module(f"tests.stress.{name}")

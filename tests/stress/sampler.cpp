@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sampler.cpp
-/// The sampler at length: `stress_sampler LOG2_SAMPLES` writes figures of a few pixels as JSON: the quality of every
-/// 2-D projection up to 2^LOG2_SAMPLES samples, repeated samples, the end of the index, the star discrepancy of the
-/// lens pair, the correlation of neighbours.
+/// `stress_sampler LOG2_SAMPLES` writes JSON: quality of 2-D projections up to 2^LOG2_SAMPLES samples, repeats, the end of the index, the
+/// lens pair's star discrepancy, correlation of neighbours.
 ///
-/// Literature: H. Niederreiter, "Random Number Generation and Quasi-Monte Carlo Methods" (1992), theorem 4.7:
-/// a (0, m, 2)-net in base 2 has N D* <= m/2 + 3/2. J. H. Halton, S. K. Zaremba, "The extreme and L2
-/// discrepancies of some plane sets" (1969): Hammersley's N = 2^m points have N D* = m/3 + 13/9 - (-1)^m
-/// 4/(9 N), which checks the algorithm here.
+/// H. Niederreiter, "Random Number Generation and Quasi-Monte Carlo Methods" (1992), theorem 4.7: a (0, m, 2)-net in base 2 has N D* <= m/2
+/// + 3/2. J. H. Halton, S. K. Zaremba, "The extreme and L2 discrepancies of some plane sets" (1969): Hammersley's N = 2^m points have N D*
+/// = m/3 + 13/9 - (-1)^m 4/(9 N).
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +49,7 @@ std::vector<Point> Projection(const PixelSampler& sampler, int d, int e, std::ui
     return points;
 }
 
-/// True if each of the 2^i by 2^j boxes has the same number of points.
+/// True if all of 2^i by 2^j boxes have the same count.
 bool IsEven(const std::vector<Point>& points, int i, int j)
 {
     std::vector<std::uint32_t> count(std::size_t(1) << (i + j));
@@ -61,7 +59,7 @@ bool IsEven(const std::vector<Point>& points, int i, int j)
     return std::all_of(count.begin(), count.end(), [each](std::uint32_t c) { return c == each; });
 }
 
-/// The least t for which 2^m points are a (t, m, 2)-net in base 2.
+/// The least t of a (t, m, 2)-net in base 2.
 int Quality(const std::vector<Point>& points, int m)
 {
     for (int t = 0; t < m; t++)
@@ -75,7 +73,7 @@ int Quality(const std::vector<Point>& points, int m)
     return m;
 }
 
-/// Exact star discrepancy: over all boxes [0, x) x [0, y) and their closures with corners at coordinates of points.
+/// Exact, over boxes [0, x) x [0, y) and their closures, corners at coordinates of points.
 double StarDiscrepancy(std::vector<Point> points)
 {
     std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.x < b.x; });
@@ -87,7 +85,7 @@ double StarDiscrepancy(std::vector<Point> points)
         const double right = i < points.size() ? points[i].x : 1.0, left = i > 0 ? points[i - 1].x : 0.0;
         for (std::size_t j = 0; j + 1 < ys.size(); j++)
         {
-            // j points lie below ys[j + 1] in the open box, and no more than j at or below ys[j]
+            // j points lie below ys[j + 1] in the open box, at most j at or below ys[j]
             worst = std::max(worst, ys[j + 1] * right - double(j) / n);
             worst = std::max(worst, double(j) / n - ys[j] * left);
         }
@@ -144,7 +142,7 @@ json Discrepancies(int most)
     return rows;
 }
 
-/// Samples that come twice among 2^m in a coordinate, as a period would show.
+/// Repeats in a coordinate, as by a period.
 std::uint64_t Repeated(const PixelSampler& sampler, int dimension, std::uint32_t count)
 {
     std::vector<double> values;
@@ -154,7 +152,7 @@ std::uint64_t Repeated(const PixelSampler& sampler, int dimension, std::uint32_t
     return count - std::uint64_t(std::unique(values.begin(), values.end()) - values.begin());
 }
 
-/// Indices around 2^20, 2^31 and the last one: in range, and unlike each other.
+/// Around 2^20, 2^31 and the last: in range, and different.
 std::uint64_t OverflowFaults(const PixelSampler& sampler)
 {
     std::uint64_t wrong = 0;
@@ -168,7 +166,7 @@ std::uint64_t OverflowFaults(const PixelSampler& sampler)
     return wrong;
 }
 
-/// Correlation of the errors of neighbours, as a multiple of its standard error, the largest of some integrands.
+/// In standard errors, the largest of some integrands.
 double NeighbourCorrelation(int samples, std::uint32_t dx, std::uint32_t dy, std::uint32_t side)
 {
     double worst = 0.0;
@@ -201,7 +199,7 @@ double NeighbourCorrelation(int samples, std::uint32_t dx, std::uint32_t dy, std
     return worst;
 }
 
-} // namespace
+}  // namespace
 
 int main(int argc, char** argv)
 {

@@ -2,8 +2,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The whole program under AddressSanitizer with UndefinedBehaviorSanitizer, ThreadSanitizer and valgrind.
 
-The presets fuzz (clang's sanitizers) and tsan (gcc's) are built first. Known findings in upstream's code are suppressed by name in
-tests/stress/suppressions, each with its reason.
+Builds the presets fuzz (clang) and tsan (gcc). tests/stress/suppressions names upstream's findings and reasons.
 """
 
 import os
@@ -22,21 +21,19 @@ LIT = {name: test_light.Renders.WORLDS[name] for name in ("radiosity", "photons"
 
 
 def environment(tool_suppressions=True):
-    """Settings that continue after a finding; optionally without the suppressions of upstream's findings."""
+    """The program continues after findings."""
     named = f":suppressions={reports.SUPPRESSIONS}/ubsan.txt" if tool_suppressions else ""
     return {
         **os.environ,
-        # upstream keeps parsed objects until the end; tests/stress/soak.py covers leaks
+        # upstream keeps parsed objects until the end; soak.py covers leaks
         "ASAN_OPTIONS": "detect_leaks=0:halt_on_error=0",
         "UBSAN_OPTIONS": f"print_stacktrace=1{named}",
-        # long stacks, and a long memory for the other side of a race
         "TSAN_OPTIONS": "halt_on_error=0:second_deadlock_stack=1:exitcode=0:history_size=7",
     }
 
 
 def listener(program, folder, options=""):
-    """A command that keeps the program's standard error: not all of gcc's sanitizers support log_path, and the
-    render tests read standard error themselves. Options come last, so that they take precedence."""
+    """Keeps the program's standard error: not all of gcc's sanitizers support log_path. Later options take precedence."""
     script = folder / "povray"
     script.write_text(f'#!/bin/bash\nexec "{program}" "$@" {options} 2> >(tee "{folder}/log.$$" >&2)\n')
     script.chmod(0o755)
@@ -53,7 +50,7 @@ def build(setup, preset):
 
 
 def watched(what, tool, commands, folder, work, suppressions=True):
-    """Runs commands, which mostly wait, with the logs in a folder; returns a row."""
+    """Commands that mostly wait, logs in a folder."""
 
     def run(command):
         done = povray_run.run(command, work, environment(suppressions), limit=None)
@@ -75,7 +72,6 @@ def watched(what, tool, commands, folder, work, suppressions=True):
 
 
 def tutorial(povray, threads):
-    """Each tutorial scene, small."""
     return [
         povray_run.command(povray, scene, f"{scene.stem}.png", (48, 36), f"+WT{threads}", "+BS8", library=[povray_run.INCLUDE])
         for scene in TUTORIAL
@@ -83,7 +79,7 @@ def tutorial(povray, threads):
 
 
 def lit(povray, threads, work):
-    """Radiosity, photons, media and fog behind a tilted lens, by all threads."""
+    """Behind a tilted lens, by all threads."""
     commands = []
     for name, world in LIT.items():
         scene = work / f"{name}.pov"
@@ -98,7 +94,6 @@ def lit(povray, threads, work):
 
 
 def battery(povray, tree, module):
-    """A module of the render tests."""
     return [module_command(f"tests.render.test_{module}", "--povray", povray, "--compare", tree / "tests" / "tools" / "compare")]
 
 
@@ -120,8 +115,7 @@ def valgrind(setup, folder, work):
 
 
 def groups(tree, tool, threads, work):
-    """(words, commands for a program, overriding options). The first, without suppressions, shows that findings are
-    detected at all."""
+    """(words, commands, options). The first, without suppressions, shows that findings are detected."""
     return [
         ("a tutorial scene, nothing suppressed", lambda povray: tutorial(povray, threads)[:1], ""),
         ("tutorial scenes", lambda povray: tutorial(povray, threads), ""),
@@ -163,7 +157,7 @@ def measure(setup):
 
 
 def faults(result):
-    """Findings that are not suppressed, failed runs, and sanitizers that report nothing at all."""
+    """Unsuppressed findings, failed runs, and sanitizers that report nothing."""
     found = []
     for row in result["rows"]:
         if row["what"].endswith("nothing suppressed"):

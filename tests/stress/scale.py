@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Time, work and memory against size: rows of a huge picture, samples per pixel, objects."""
+"""Time, work and memory against rows, samples and objects."""
 
 import math
 import pathlib
@@ -17,7 +17,7 @@ QUICK = {"rows": (4, 8, 16), "samples": (100, 1000), "objects": (2000, 20_000), 
 
 
 def render(setup, scene, size, *options):
-    """Processor seconds, tests of rays against shapes and boxes, and peak memory of a render."""
+    """Processor seconds, tests of rays, peak memory."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         (pathlib.Path(name) / "scene.pov").write_text(HEAD + scene)
         done = povray_run.run(
@@ -37,7 +37,7 @@ def spheres(count):
 
 
 def slope(rows, key, of):
-    """Logarithmic slope of time or work against size."""
+    """The slope is logarithmic."""
     xs = [math.log(row[key]) for row in rows]
     ys = [math.log(max(row[of], 0.01)) for row in rows]
     return statistics.linear_regression(xs, ys).slope
@@ -62,7 +62,7 @@ def measure(setup, size="full"):
 
 
 def faults(result):
-    """Superlinear growth. Time depends on the machine's load and is not judged."""
+    """Superlinear growth; not of time, which depends on the load."""
     found = [f"{key}: work grows with the power {value:.2f}" for key, value in result["work_slopes"].items() if value > 1.15]
     objects = result["objects"]
     each = (objects[-1]["peak_mib"] - objects[0]["peak_mib"]) * 1024 / (objects[-1]["objects"] - objects[0]["objects"])

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The time of the short form of all parts in ./check; the limit is five minutes."""
+"""Time of all short forms; the limit is five minutes."""
 
 import os
 import re

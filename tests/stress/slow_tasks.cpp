@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file slow_tasks.cpp
-/// The whole program as on a busy machine: its start takes four seconds; after queueing a task a thread sleeps, so that the task runs far
-/// ahead; and every second thread sleeps before it reports its finished tile. Prints how many light sources the bounding task has copied.
+/// A busy machine: a start of four seconds, sleep after queueing a task, so that it runs ahead, and before every second thread's tile.
+/// Prints how many lights the bounding task has copied.
 
 #include <atomic>
 #include <chrono>
@@ -19,8 +19,7 @@
 #include "backend/scene/threaddata.h"
 #include "backend/support/taskqueue.h"
 
-// The linker (--wrap) sends all calls of povray_init(), TaskQueue::AppendTask() and RenderBackend::SendViewOutput() to
-// the first of each pair.
+// The linker (--wrap) redirects povray_init(), TaskQueue::AppendTask() and RenderBackend::SendViewOutput().
 boost::thread* Start(const boost::function0<void>& closed, void** address) __asm__("__wrap__Z11povray_initRKN5boost9function0IvEEPPv");
 boost::thread* RealStart(const boost::function0<void>& closed, void** address) __asm__("__real__Z11povray_initRKN5boost9function0IvEEPPv");
 pov::Task::TaskData* Append(pov::TaskQueue* queue, pov::Task* task) __asm__("__wrap__ZN3pov9TaskQueue10AppendTaskEPNS_4TaskE");

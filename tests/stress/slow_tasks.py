@@ -1,9 +1,9 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A program that starts more slowly than its parser, and whose threads report finished tiles late. It must start and
-must not read the parser's list of lights meanwhile; its progress must neither fall nor miss a pixel.
+"""A program that starts more slowly than its parser, with late tiles. It must not read the parser's lights meanwhile; progress must neither
+fall nor miss a pixel.
 
-    python3 -m tests.stress.slow_tasks PROGRAM"""
+python3 -m tests.stress.slow_tasks PROGRAM"""
 
 import pathlib
 import re

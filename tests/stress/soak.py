@@ -1,9 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Memory leaks: by the frames of an animation, by the tiles of a picture, and during a picture.
+"""Memory leaks by frames, by tiles, and within a picture.
 
-The program's allocator, jemalloc, counts allocated bytes. The counts depend neither on time nor on load: a leak per frame or tile increases
-the count at the end by at least the smallest block for each.
+jemalloc counts allocated bytes, whatever time and load: a leak adds at least the smallest block each time.
 """
 
 import json
@@ -18,8 +17,7 @@ FRAMES, ROWS = (250, 500), (1536, 12288)
 SMALLEST = 8  # bytes of jemalloc's smallest block
 WIDTH, TILE = 64, 32
 PIXEL = 20  # bytes of a stored pixel: five floats
-# jemalloc's counts as JSON on standard error: at the end, and after each allocated megabyte. Without the threads' caches, whose blocks
-# would count as allocated.
+# as JSON on standard error: at the end, and after each megabyte; without the threads' caches
 COUNTS = "tcache:false,stats_print:true,stats_print_opts:Jdablxeh,stats_interval:1000000,stats_interval_opts:Jdablxeh"
 HEAD = "#version 3.7; global_settings { assumed_gamma 1 }\n"
 MOVING = (
@@ -27,7 +25,7 @@ MOVING = (
     + scenes.camera("tilt 4 + 3*sin(clock) swing clock/4", samples="blur_samples 8, 32 ", tail="bokeh { pigment { gradient x } }")
     + scenes.WORLD
 )
-# without sky: all tiles take the same work
+# equal tiles
 LARGE = (
     HEAD
     + """camera { right x*image_width/image_height location <0.4, 3, -3.5> look_at <0, 0, 0.2> angle 45 aperture 0.3
@@ -46,7 +44,7 @@ background { rgb <0.3, 0.5, 0.8> }
 
 
 def counts(said):
-    """The allocated bytes at each count. Skips counts that the program's messages interrupt."""
+    """Skips counts interrupted by messages."""
     found, at = [], said.find('{"jemalloc"')
     while at >= 0:
         try:
@@ -58,7 +56,7 @@ def counts(said):
 
 
 def render(setup, scene, size, *options):
-    """Allocated bytes at the program's end, and their peak."""
+    """Allocated bytes at the end, and their peak."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         (pathlib.Path(name) / "scene.pov").write_text(scene)
         command = povray_run.command(setup.povray, "scene.pov", "picture.png", size, "-V", "-GA", *options)
@@ -70,8 +68,7 @@ def render(setup, scene, size, *options):
 
 
 def measure(setup, frames=FRAMES, rows=ROWS):
-    """Animations of `frames` by two threads, and pictures of `rows` by one: the peak of two depends on which is
-    faster."""
+    """Pictures by one thread: with two, the peak depends on which is faster."""
     work = setup.work("soak")
 
     def made(name, number, scene, size, *options):
@@ -98,7 +95,7 @@ def faults(result):
         if kept >= SMALLEST * more // size:
             found.append(f"{kept} bytes more are allocated at the end after {more} more {name}")
     few, many = result["rows"]
-    # beyond the picture itself, less than a number of eight bytes per pixel
+    # beyond the picture, under eight bytes per pixel
     pixels = WIDTH * (many["rows"] - few["rows"])
     held = many["most"] - few["most"]
     if held > (PIXEL + 8) * pixels:

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Findings that the stress run must report: those of sanitizers, and wrong rays."""
+"""Findings and wrong rays that the stress run must report."""
 
 import pathlib
 import tempfile
@@ -81,7 +81,7 @@ class Findings(unittest.TestCase):
         self.assertEqual(self.found("Parse Error: tilt 90\n"), [0, 0])
 
     def test_said_on_standard_error_is_kept(self):
-        """The wrapper passes on the program's messages, and its options come last."""
+        """The wrapper passes messages on, and its options come last."""
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             folder = pathlib.Path(name)
             program = folder / "program"
@@ -106,8 +106,6 @@ class Findings(unittest.TestCase):
 
 
 class Known(unittest.TestCase):
-    """A race is known by the innermost function of both sides."""
-
     NAMES = ("race:pov::f", "race:pov::g")
 
     def known(self, inner, outer, other="pov::g()"):
@@ -122,7 +120,7 @@ class Known(unittest.TestCase):
         self.assertEqual(self.known("pov::h(int)", "main"), ())
 
     def test_outer_functions_hide_nothing(self):
-        """Otherwise a thread's first function would hide everything that the thread does."""
+        """A thread's first function would hide the whole thread."""
         self.assertEqual(self.known("tilt_lens::Cell::Add()", "pov::f(int)"), ())
 
     def test_other_stacks_do_not_count(self):
@@ -137,7 +135,7 @@ class Known(unittest.TestCase):
             )
 
     def test_a_lost_stack(self):
-        """The other side decides; a race with two lost stacks is not known."""
+        """The other side decides; two lost stacks are unknown."""
         lost = "    [failed to restore the stack]\n"
         for side, names in ("pov::f()", ("pov::f", "a lost stack")), ("pov::h()", ()):
             text = RACE.format(inner=side, outer="main", other="pov::g()")
@@ -179,7 +177,7 @@ class Rays(unittest.TestCase):
                 self.assertEqual(len(rays.faults(self.tally(**{name: worst}))), 1)
 
     def test_reversed_rays_are_seen(self):
-        """Reversed rays of the obvious formula, if the focus lies behind the camera: shows that the test would detect ours."""
+        """Reversed rays of the obvious formula, with the focus behind the camera."""
         tally = self.tally()["corners"]
         self.assertEqual(len(rays.faults({"behind": tally})), 1)
         tally["obvious_pixels"]["by_power"]["30"] = 1

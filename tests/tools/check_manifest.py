@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Every reference picture has its entry, every entry its picture, and both agree."""
+"""Reference pictures and their entries agree."""
 
 import argparse
 import pathlib

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Renders one picture with the fork and compares it with its reference.
 
-The exit code is one of pictures.OUTCOMES. Faults are printed on standard error, and shown on a local page with the pictures side by side.
+The exit code is one of pictures.OUTCOMES. Faults are printed, and shown on a local page.
 """
 
 import argparse
@@ -29,7 +29,7 @@ def arguments():
 
 
 def check(entry, args, folder):
-    """Renders and compares; returns the figures, raises pictures.Trouble."""
+    """Returns the figures, raises pictures.Trouble."""
     record = manifest.load(args.references).get(entry.name)
     if record is None:
         raise pictures.Trouble("missing reference", f"MANIFEST.json has no entry {entry.name}")

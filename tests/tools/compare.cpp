@@ -1,8 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Compares two pictures. Prints one JSON object on standard output; the exit code distinguishes the kinds of failure, so that a test can
-// tell a wrong picture from a missing one.
+// Compares two pictures: one JSON object, and an exit code for each kind of failure.
 
 #include <algorithm>
 #include <cmath>
@@ -147,7 +146,7 @@ void CompareNoisy(const Arguments& arguments)
     Conclude(report, test.passed, reason.str());
 }
 
-/// Compares all channels of the decoded pixels, independent of the file around them.
+/// All channels of the decoded pixels, whatever the file around them.
 void CompareExact(const Arguments& arguments)
 {
     const Pair pair = LoadPair(arguments);
@@ -171,7 +170,7 @@ void Preview(const Arguments& arguments)
     Conclude(report, true, "");
 }
 
-/// The centre of a picture that is larger by the same number of pixels on opposite sides.
+/// Larger by the same number of pixels all round.
 Picture Middle(const Picture& whole, int width, int height)
 {
     const int left = (whole.width - width) / 2, top = (whole.height - height) / 2;
@@ -184,7 +183,7 @@ Picture Middle(const Picture& whole, int width, int height)
     return middle;
 }
 
-/// Mean and standard error of pictures that share their centre: the first has the size of the result.
+/// Pictures share their centre; the first has the result's size.
 void Average(const std::vector<std::string>& paths, const std::string& output)
 {
     std::vector<Picture> pictures;
@@ -213,8 +212,7 @@ void ShowError(const std::string& path)
     std::cout << report.dump() << '\n';
 }
 
-/// For each picture named on a line of standard input, prints the number of bytes of WritePixels() on a line, then
-/// these bytes. If it fails, a line that begins with "failed: ".
+/// For each picture named on standard input: a line with the number of bytes of WritePixels(), then these; or a line "failed: ".
 void AnswerWithPixels()
 {
     for (std::string path; std::getline(std::cin, path); std::cout.flush())
@@ -239,7 +237,7 @@ void AddPair(CLI::App* command, Arguments& arguments)
     command->add_option("reference", arguments.reference, "what it is compared with")->required();
 }
 
-/// Runs the command line. @throws Verdict
+/// @throws Verdict
 void Run(int argc, char** argv)
 {
     CLI::App app("Compares pictures. Exit codes: 0 same, 1 failure, 2 different, 3 reference missing, "

@@ -1,10 +1,10 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Whether the noise of a picture prefers directions, or periods of 16 pixels, the side of the sampler's blocks. Such noise looks woven.
+"""Prints whether a picture's noise prefers directions, or periods of 16 pixels, the sampler's blocks.
 
-    python3 run_module.py tests.tools.error_direction --compare build/tests/tools/compare FIRST.png SECOND.png
+python3 run_module.py tests.tools.error_direction --compare build/tests/tools/compare FIRST.png SECOND.png
 
-FIRST and SECOND are the same picture with two values of `sample_seed`: their difference has the spectrum of the noise, times two."""
+FIRST and SECOND have two values of `sample_seed`: their difference has the spectrum of the noise, times two."""
 
 import argparse
 
@@ -21,13 +21,13 @@ FREQUENCY = numpy.fft.fftfreq(SIDE)
 
 
 def values_of(picture):
-    """Red, green and blue as an array, row by row; what is brighter than white counts as white."""
+    """Row by row; brighter than white counts as white."""
     values = numpy.array(picture.values).reshape(picture.height, picture.width, len(picture.names))
     return numpy.clip(values[..., [picture.names.index(name) for name in "RGB"]], 0, 1)
 
 
 def spectrum(difference):
-    """Power of a difference of two pictures, by frequency: down, across."""
+    """Power by frequency: down, across."""
     taper = 0.5 - 0.5 * numpy.cos(2 * numpy.pi * (numpy.arange(SIDE) + 0.5) / SIDE)
     window = numpy.outer(taper, taper)[..., None]
     height, width = difference.shape[:2]
@@ -41,7 +41,7 @@ def spectrum(difference):
 
 
 def axes_over_diagonals(power):
-    """Mean power within HALF_SECTOR of rows and columns over that within HALF_SECTOR of the diagonals."""
+    """Mean power near rows and columns over that near the diagonals (HALF_SECTOR)."""
     down, across = numpy.meshgrid(FREQUENCY, FREQUENCY, indexing="ij")
     radius = numpy.hypot(down, across)
     angle = numpy.degrees(numpy.arctan2(abs(down), abs(across)))
@@ -52,7 +52,7 @@ def axes_over_diagonals(power):
 
 
 def blocks_over_surroundings(power):
-    """Power at the period of a block and its overtones, along rows and columns, over that half-way between them."""
+    """At a block's period and overtones, along rows and columns, over half-way between."""
     first = SIDE // PERIOD
     lines = numpy.arange(first, SIDE // 2, first)
     slow = abs(FREQUENCY) < LEAST
@@ -63,7 +63,7 @@ def blocks_over_surroundings(power):
 
 
 def figures(first, second):
-    """Both ratios for two pictures; 1 is noise without a preference."""
+    """Ratios; 1 means no preference."""
     power = spectrum(values_of(first) - values_of(second))
     return axes_over_diagonals(power), blocks_over_surroundings(power)
 

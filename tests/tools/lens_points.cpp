@@ -15,7 +15,7 @@ namespace
 
 const double kPi = std::acos(-1.0);
 
-/// Direction numbers of one dimension, from its primitive polynomial (Joe and Kuo 2008).
+/// From a primitive polynomial (Joe and Kuo 2008).
 std::array<std::uint32_t, 32> Directions(int degree, std::uint32_t coefficients, std::array<std::uint32_t, 3> m)
 {
     std::array<std::uint32_t, 32> v{};
@@ -45,7 +45,7 @@ std::uint64_t Mixed(std::uint64_t x)
     return x ^ (x >> 31);
 }
 
-/// Owen scrambling: each digit is flipped or not by a hash of all digits before it.
+/// Owen scrambling: a hash of all digits before it flips a digit.
 std::uint32_t Scrambled(std::uint32_t value, std::uint64_t seed)
 {
     std::uint32_t result = 0;
@@ -58,7 +58,7 @@ std::uint32_t Scrambled(std::uint32_t value, std::uint64_t seed)
     return result;
 }
 
-/// Area-preserving, from the unit square to the unit disc.
+/// Area-preserving.
 void OnDisc(double u, double v, LensPoint& point)
 {
     const double radius = std::sqrt(u), angle = 2.0 * kPi * v;
@@ -66,7 +66,7 @@ void OnDisc(double u, double v, LensPoint& point)
     point.b = radius * std::sin(angle);
 }
 
-/// Area-preserving, from the unit square to the polygon: one triangle of centre and edge at a time.
+/// Area-preserving, one triangle of centre and edge at a time.
 void OnPolygon(double u, double v, int blades, double degrees, LensPoint& point)
 {
     const double sector = std::min(std::floor(v * blades), blades - 1.0);

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file lens_points.h
-/// Points over pixel and lens for the oracle: the first four dimensions of Sobol's sequence (Joe and Kuo's direction
-/// numbers), Owen-scrambled with a seed for each batch. Batches are independent and unbiased; within a batch of a
-/// power of two, points are stratified in every dimension.
+/// The oracle's points: four dimensions of Sobol's sequence (Joe and Kuo), Owen-scrambled with a seed for each batch. Batches are
+/// independent and unbiased, and stratified in every dimension.
 
 #ifndef WITNESS_LENS_POINTS_H
 #define WITNESS_LENS_POINTS_H
@@ -15,15 +14,14 @@
 namespace witness
 {
 
-/// One pinhole of the oracle.
 struct LensPoint
 {
     double jitterX, jitterY;  ///< in pixels, -0.5 to 0.5
     double a, b;              ///< on the lens: disc of radius 1 or the polygon in it
 };
 
-/// @param blades       0 for a disc, else the number of straight edges of the polygon in the unit circle
-/// @param bladesAngle  degrees, counter-clockwise; at 0 a corner points right
+/// @param blades 0: disc; else corners of the polygon in the unit circle
+/// @param bladesAngle degrees, counter-clockwise; 0: a corner points right
 std::vector<LensPoint> LensPoints(std::uint32_t count, std::uint32_t seed, int blades, double bladesAngle);
 
 }  // namespace witness

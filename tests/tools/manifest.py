@@ -2,9 +2,8 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """MANIFEST.json, the list of reference pictures.
 
-tests/oracle/cases/NAME.json makes oracle/NAME.exr, rendered by the unpatched program. A scene in
-tests/reference/pictures.json makes renders/NAME.exr, rendered by the fork. Only update_references.py writes these
-files and the manifest."""
+tests/oracle/cases/NAME.json makes oracle/NAME.exr by the unpatched program; a scene in tests/reference/pictures.json makes
+renders/NAME.exr by the fork. Only update_references.py writes these."""
 
 import dataclasses
 import json
@@ -19,10 +18,9 @@ ORACLE_CASES = ROOT / "tests" / "oracle" / "cases"
 SCENES = ROOT / "tests" / "reference" / "scenes"
 SCENE_LIST = ROOT / "tests" / "reference" / "pictures.json"
 
-# Pictures in a render's reference, each with other samples (batch.inc). With fewer, the estimated deviation of a pixel has so few degrees
-# of freedom that Gaussian limits fail correct pixels.
+# Pictures with other samples (batch.inc): with fewer, the deviation has so few degrees of freedom that Gaussian limits fail correct pixels.
 BATCHES = 16
-# Limits against the oracle, both linear and over all channels.
+# linear, over all channels
 ORACLE_COMPARISON = {"kind": "limits", "rmse_max": 0.006, "mean_max": 0.0005}
 FIELDS = [
     "file",
@@ -54,30 +52,27 @@ class Entry:
 
     @property
     def file(self):
-        """The reference picture."""
         return FOLDER / (self.name + ".exr")
 
     @property
     def output(self):
-        """The fork's file: 16 bits for comparison within a limited range, else OpenEXR."""
+        """16 bits within a limited range, else OpenEXR."""
         return "new.png" if self.case else "new.exr"
 
     def job(self, povray, declare=()):
-        """The fork's render of it. `declare`: Name=Value."""
+        """`declare` holds Name=Value."""
         form = ["+FN16", "File_Gamma=1.0"] if self.case else ["+FE"]
         return pictures.Render(
             str(povray), self.scene, self.width, self.height, form + self.options + ["Declare=" + item for item in declare]
         )
 
     def sources_sha256(self):
-        """Hashes of the files that the reference depends on, by path: for the oracle its case and the objects, but
-        not the fork's scene, which is under test."""
+        """By path: the oracle's case and objects, without the fork's scene, which is under test."""
         files = [self.case, self.case.parent / json.loads(self.case.read_text())["scene"]] if self.case else sources(self.scene)
         return {str(path.relative_to(ROOT)): pictures.file_hash(path) for path in sorted(files)}
 
 
 def entries():
-    """All pictures, by name."""
     found = []
     for case in sorted(ORACLE_CASES.glob("*.json")):
         width, height = json.loads(case.read_text())["picture"]

@@ -14,7 +14,7 @@ namespace
 
 const int kLocalBox = 8;
 
-/// Calls visit(indices) for each box of side `box` and each channel; boxes at the right and lower edge are smaller.
+/// visit(indices) for each box and channel; boxes at the right and lower edge are smaller.
 template<class Visit>
 void ForEachBox(const Picture& picture, int box, Visit visit)
 {
@@ -81,7 +81,7 @@ Figures Measure(const Picture& picture, const Picture& reference, std::size_t wo
 
 double SidakLimit(double significance, double count)
 {
-    // 1 - (1 - p)^(1/n) without losing digits, then the two-sided Gaussian limit by bisection
+    // 1 - (1 - p)^(1/n) accurately, then bisection
     const double each = -std::expm1(std::log1p(-significance) / count);
     double low = 0.0, high = 40.0;
     while (high - low > 1e-10)
@@ -94,8 +94,7 @@ double SidakLimit(double significance, double count)
 
 ZTest TestNoisy(const Picture& picture, const Reference& reference, const ZTestSettings& settings)
 {
-    // the picture is another sample of the reference's pictures: its variance is `batches` times that of their mean; if unknown (one
-    // batch), the floor remains
+    // one sample has `batches` times the variance of the mean; unknown (one batch): the floor remains
     std::vector<double> deviation(picture.Size());
     for (std::size_t i = 0; i < picture.Size(); ++i)
         deviation[i] = std::max(settings.floor, reference.error.values[i] * std::sqrt(1.0 + reference.batches));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file measure.h
-/// Difference of a picture from a reference: plain figures, and a test for noisy pictures.
+/// Figures of a difference, and a test for noisy pictures.
 
 #ifndef WITNESS_MEASURE_H
 #define WITNESS_MEASURE_H
@@ -14,7 +14,6 @@
 namespace witness
 {
 
-/// One pixel's worst channel.
 struct PixelDifference
 {
     int x = 0, y = 0;
@@ -52,11 +51,10 @@ struct ZTest
     bool passed = false;
 };
 
-/// The test of docs/testing.md for one picture against the mean of others of its kind. Limits are for Gaussian noise, by Sidak's correction
-/// for the number of pixels or boxes.
+/// The test of docs/testing.md: Gaussian limits by Sidak's correction for the number of pixels or boxes.
 ZTest TestNoisy(const Picture& picture, const Reference& reference, const ZTestSettings& settings);
 
-/// Two-sided limit in standard errors that one of `count` independent Gaussian values exceeds with probability `significance`.
+/// Two-sided, in standard errors: one of `count` Gaussian values exceeds it with probability `significance`.
 double SidakLimit(double significance, double count);
 
 }  // namespace witness

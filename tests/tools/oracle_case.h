@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file oracle_case.h
-/// One case of the oracle: a camera in a photographer's terms, read from JSON, and its optics by the imaging equation
-/// and Scheimpflug's rule. The fork solves the same camera by other formulas (docs/optics.md).
+/// A case of the oracle in a photographer's terms (JSON), and its optics by the imaging equation and Scheimpflug's rule. The fork uses
+/// other formulas (docs/optics.md).
 
 #ifndef WITNESS_ORACLE_CASE_H
 #define WITNESS_ORACLE_CASE_H
@@ -19,7 +19,7 @@
 namespace witness
 {
 
-/// One step of a camera transformation, in POV-Ray's terms.
+/// In POV-Ray's terms.
 struct Transformation
 {
     enum class Kind
@@ -40,7 +40,7 @@ enum class Focus
     ThreePoints
 };
 
-/// A camera as stated. World frame, scene units, degrees, film side in millimetres.
+/// World frame, scene units, degrees, film side in millimetres.
 struct CameraGiven
 {
     Vector location, lookAt;
@@ -68,7 +68,7 @@ struct OracleCase
     CameraGiven camera;
 };
 
-/// The camera for linear pinholes. World frame, scene units.
+/// World frame, scene units.
 struct CameraSolved
 {
     Vector location;              ///< lens centre
@@ -79,10 +79,10 @@ struct CameraSolved
     double focalLength = 0.0, filmDistance = 0.0;
 };
 
-/// @throws std::runtime_error  with the item that is missing, doubled or unknown.
+/// @throws std::runtime_error missing, doubled or unknown item.
 OracleCase ReadCase(const nlohmann::json& text);
 
-/// @throws std::runtime_error  the camera has no such picture.
+/// @throws std::runtime_error no such picture.
 CameraSolved SolveCase(const CameraGiven& given, double aspect);
 
 }  // namespace witness

@@ -1,13 +1,9 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Optics of a case, derived independently of the fork:
-// - for a stated lens: the imaging equation 1/u + 1/v = 1/f, u and v along the lens normal, and chief rays through the lens
-//   centre. The plane of sharp focus passes through the images of three film points, in homogeneous coordinates, so that an
-//   image at infinity is no special case;
-// - for a stated plane: Scheimpflug's rule as a construction. The lens plane passes through the lens centre and through the
-//   line in which the film and the plane of sharp focus meet.
-// Camera frame: lens centre at the origin, x right, y up, z into the scene, film at z = -s.
+// Optics of a case, independent of the fork: the imaging equation 1/u + 1/v = 1/f along the lens normal for a stated lens, in homogeneous
+// coordinates, which include images at infinity; Scheimpflug's rule for a stated plane. Camera frame: lens centre at the origin, x right, y
+// up, z into the scene, film at z = -s.
 
 #include <stdexcept>
 
@@ -21,7 +17,7 @@ namespace
 
 const double kDegree = std::acos(-1.0) / 180.0;
 
-/// Right, up and axis of POV-Ray's look_at with its default sky; left-handed.
+/// Axes of POV-Ray's look_at with the default sky; left-handed.
 struct Basis
 {
     Vector right, up, axis;
@@ -44,7 +40,7 @@ Vector TurnedNormal(double turnUp, double turnRight)
     return Unit({-std::sin(b) * std::cos(a), -std::sin(a) * std::cos(b), std::cos(a) * std::cos(b)});
 }
 
-/// k of the plane k.X = 1 through three points, given homogeneously as (X, weight): k.X = weight.
+/// Points are homogeneous (X, weight): k.X = weight.
 Vector PlaneThrough(const Vector points[3], const double weights[3])
 {
     const double determinant = Dot(points[0], Cross(points[1], points[2]));
@@ -54,7 +50,7 @@ Vector PlaneThrough(const Vector points[3], const double weights[3])
            (weights[0] * Cross(points[1], points[2]) + weights[1] * Cross(points[2], points[0]) + weights[2] * Cross(points[0], points[1]));
 }
 
-/// The plane that a lens (normal t, focal length f) images onto the film at -s.
+/// For normal t, focal length f, film at -s.
 Vector PlaneOfLens(const Vector& t, double f, double s)
 {
     const Vector film[3] = {{0.0, 0.0, -s}, {s, 0.0, -s}, {0.0, s, -s}};
@@ -63,13 +59,13 @@ Vector PlaneOfLens(const Vector& t, double f, double s)
     for (int i = 0; i < 3; ++i)
     {
         const double v = -Dot(film[i], t);  // image distance along the lens normal
-        images[i] = -f * film[i];  // image at (u/v) times the mirrored film point, u = v f / (v - f)
+        images[i] = -f * film[i];  // (u/v) times the mirrored film point, u = v f / (v - f)
         weights[i] = v - f;
     }
     return PlaneThrough(images, weights);
 }
 
-/// The lens normal for a plane of sharp focus: the lens plane contains the line where film and plane meet.
+/// Scheimpflug: the lens plane contains the line of film and plane.
 Vector LensOfPlane(const Vector& k, double s)
 {
     const Vector axis{0.0, 0.0, 1.0};
@@ -77,13 +73,13 @@ Vector LensOfPlane(const Vector& k, double s)
     const double across2 = Dot(along, along);
     if (across2 == 0.0)
         return axis;
-    // the point of that line nearest to the axis: z = -s, and k.X = 1
+    // the line's point nearest to the axis
     const Vector foot = ((1.0 + s * k.z) / across2) * Vector{k.x, k.y, 0.0} - s * axis;
     const Vector t = Unit(Cross(along, foot));
     return t.z > 0.0 ? t : -1.0 * t;
 }
 
-/// Focal length of a lens with normal t that images X onto its chief ray's film point.
+/// From X and its image on the chief ray's film point.
 double FocalLengthFor(const Vector& t, const Vector& film, const Vector& point)
 {
     const double u = Dot(point, t), v = -Dot(film, t);
@@ -126,7 +122,7 @@ void SolveFocus(const CameraGiven& given, const Basis& basis, CameraSolved& solv
         if (given.focalLength)
         {
             solved.focalLength = *given.focalLength * millimetre;
-            // image of the point: mirrored, scaled by v/u = f / (u - f)
+            // mirrored, scaled by v/u = f / (u - f)
             solved.filmDistance = solved.focalLength * point.z / (Dot(point, t) - solved.focalLength);
         }
         else
@@ -150,8 +146,7 @@ void SolveFocus(const CameraGiven& given, const Basis& basis, CameraSolved& solv
     solved.focalLength = FocalLengthFor(solved.lensNormal, centre, axisPoint);
 }
 
-/// Right and up of the lens: those of the camera, rotated with the lens about the line common to the camera's and the lens's plane
-/// (Rodrigues' formula).
+/// Rotated with the lens about the line common to both planes (Rodrigues).
 Vector TurnWithLens(const Vector& v, const Vector& t)
 {
     const Vector axis{0.0, 0.0, 1.0};
@@ -165,7 +160,7 @@ Vector TurnWithLens(const Vector& v, const Vector& t)
 
 Vector Rotated(Vector v, const Vector& degrees)
 {
-    // POV-Ray: about x, then y, then z, left-handed coordinates
+    // POV-Ray rotates about x, then y, then z, left-handed
     const double cx = std::cos(degrees.x * kDegree), sx = std::sin(degrees.x * kDegree);
     v = {v.x, cx * v.y - sx * v.z, sx * v.y + cx * v.z};
     const double cy = std::cos(degrees.y * kDegree), sy = std::sin(degrees.y * kDegree);
@@ -211,7 +206,7 @@ CameraSolved SolveCase(const CameraGiven& given, double aspect)
     const double millimetre = 1.0 / given.sceneUnit;
     const double width = given.filmWidth * millimetre;
     solved.location = given.location;
-    // POV-Ray's vectors in units of the film's distance, so that direction has length 1 without shift
+    // in units of the film's distance: direction has length 1 without shift
     const double s = solved.filmDistance;
     solved.right = (width / s) * basis.right;
     solved.up = (width / (s * aspect)) * basis.up;

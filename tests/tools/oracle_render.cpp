@@ -33,7 +33,7 @@ std::string Sdl(const Vector& v)
     return out.str();
 }
 
-/// Frames of one process: numbers from 1, inclusive.
+/// Frames count from 1, both ends included.
 struct Range
 {
     int first, last;
@@ -73,8 +73,7 @@ bool Finished(pid_t pid)
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-/// Restores the working folder. POV-Ray may always read and write in its working folder, despite its permissions file, so frames are
-/// rendered there.
+/// POV-Ray may always read and write in its working folder, so frames are rendered there.
 class WorkingFolder
 {
   public:

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file oracle_render.h
-/// The accumulation buffer (Haeberli and Akeley) with the unpatched program as its renderer: for one point of the lens a tilted thin lens
-/// is a linear camera, which stock POV-Ray renders exactly.
+/// The accumulation buffer (Haeberli and Akeley): one lens point of a tilted thin lens is a linear camera, exact in stock POV-Ray.
 
 #ifndef WITNESS_ORACLE_RENDER_H
 #define WITNESS_ORACLE_RENDER_H
@@ -30,10 +29,10 @@ struct RenderSettings
     std::uint32_t seed = 1;
 };
 
-/// The scene of the frames first to first + points.size() - 1, one lens point each.
+/// One lens point for each frame from first.
 std::string AnimationScene(const OracleCase& description, const CameraSolved& camera, const std::vector<LensPoint>& points, int first);
 
-/// @throws std::runtime_error  the program cannot be run, fails, or leaves a frame out.
+/// @throws std::runtime_error a failed program, or a missing frame.
 Reference RenderOracle(const OracleCase& description, const RenderSettings& settings);
 
 }  // namespace witness

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file picture.h
-/// Pictures for the independent tools: linear RGB in floats, and the stored references with mean and standard error of
-/// each pixel.
+/// Linear RGB in floats; references have mean and standard error.
 
 #ifndef WITNESS_PICTURE_H
 #define WITNESS_PICTURE_H
@@ -17,7 +16,7 @@
 namespace witness
 {
 
-/// Red, green, blue of every pixel, row by row from the top.
+/// Red, green, blue by rows from the top.
 struct Picture
 {
     int width = 0, height = 0;
@@ -27,14 +26,14 @@ struct Picture
     bool SameSize(const Picture& other) const { return width == other.width && height == other.height; }
 };
 
-/// A picture with the standard error of its mean; zero everywhere if unknown.
+/// The error is zero if unknown.
 struct Reference
 {
     Picture mean, error;
     int batches = 1;  ///< independent pictures in the mean; 1: the error is unknown
 };
 
-/// The file exists but cannot be decoded, or has too few channels.
+/// The file exists but is undecodable, or has too few channels.
 class UnreadablePicture : public std::runtime_error
 {
   public:
@@ -47,27 +46,30 @@ class MissingPicture : public std::runtime_error
     using std::runtime_error::runtime_error;
 };
 
-/// Values as stored, without any colour conversion. @throws MissingPicture, UnreadablePicture
+/// Returns values as stored.
+/// @throws MissingPicture, UnreadablePicture
 Picture ReadPicture(const std::string& path);
 
-/// One channel of a file, three times over. @throws MissingPicture, UnreadablePicture
+/// Returns one channel three times over.
+/// @throws MissingPicture, UnreadablePicture
 Picture ReadChannel(const std::string& path, const std::string& channel);
 
-/// As ReadPicture for an ordinary picture. @throws MissingPicture, UnreadablePicture
+/// @throws MissingPicture, UnreadablePicture
 Reference ReadReference(const std::string& path);
 
-/// OpenEXR with channels R, G, B (mean, float) and error.R, error.G, error.B (half).
+/// OpenEXR channels R, G, B (mean, float), error.R, error.G, error.B (half).
 /// @throws std::runtime_error
 void WriteReference(const std::string& path, const Reference& reference);
 
-/// 8-bit sRGB PNG for people, each pixel `zoom` wide and high. @throws std::runtime_error
+/// 8-bit sRGB, each pixel `zoom` wide and high.
+/// @throws std::runtime_error
 void WritePreview(const std::string& path, const Picture& picture, int zoom);
 
-/// The decoded pixels in a common form: a line "width height channels type", then the values as stored, little-endian.
+/// A line "width height channels type", then stored values, little-endian.
 /// @throws MissingPicture, UnreadablePicture
 void WritePixels(const std::string& path, std::ostream& out);
 
-/// Mean and standard error over independent pictures of one size.
+/// All pictures have one size.
 Reference Average(const std::vector<Picture>& batches);
 
 }  // namespace witness

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Renders and compares one picture, and distinguishes every kind of failure."""
+"""Renders and compares one picture."""
 
 import dataclasses
 import hashlib
@@ -24,13 +24,11 @@ OUTCOMES = {
     "stale reference": 9,
     "timeout": 10,
 }
-# meanings of the exit codes of `compare` (compare.cpp)
+# exit codes of `compare` (compare.cpp)
 COMPARE_OUTCOMES = ["same", "failure", "different", "missing reference", "no output", "wrong size", "unreadable", "not finite"]
 
 
 class Trouble(Exception):
-    """One of OUTCOMES and the reason."""
-
     def __init__(self, outcome, reason):
         super().__init__(reason)
         self.outcome = outcome
@@ -46,14 +44,14 @@ class Render:
 
 
 def command_of(job, output):
-    """The command line, run in the folder that holds copies of the scene's files."""
+    """Run beside copies of the scene's files."""
     return povray_run.command(job.povray, job.scene.name, output, (job.width, job.height), "-V", "-GA", "+WT1", *job.options)
 
 
 def render(job, folder, output):
-    """Renders into the folder, which is made; returns the command. Raises Trouble.
+    """Returns the command. Raises Trouble.
 
-    POV-Ray may always read and write in its working folder, whatever its permissions for others, so the scene's files are copied there.
+    POV-Ray may always read and write in its working folder, so the scene's files are copied there.
     """
     folder.mkdir(parents=True, exist_ok=True)
     for source in povray_run.sources(job.scene):
@@ -93,7 +91,6 @@ def compare(program, picture, reference, comparison):
 
 
 def pixel_hash(program, picture):
-    """SHA-256 of the decoded pixels, independent of the file around them."""
     try:
         return hashlib.sha256(povray_run.pixels(program, picture)).hexdigest()
     except povray_run.UnreadablePicture as error:

@@ -2,8 +2,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The only program that makes reference pictures and their entries in MANIFEST.json.
 
-Arguments: names (oracle/tilt) or folders (oracle, renders). --prune removes pictures and entries without a case or
-scene."""
+Arguments: names (oracle/tilt) or folders (oracle, renders). --prune removes pictures and entries without a case or scene."""
 
 import os
 import argparse
@@ -33,7 +32,6 @@ def arguments():
 
 
 def version_and_compiler(povray):
-    """The program's version line, and the compiler's mark in its file, if any."""
     done = subprocess.run([povray, "--version"], stdin=subprocess.DEVNULL, capture_output=True, text=True, check=True)
     text = done.stdout + done.stderr
     version = re.findall(r"^(?:POV-Ray \d| povray-tilt-lens ).*$", text, re.MULTILINE)
@@ -51,14 +49,13 @@ def series_sha256():
 
 
 def upstream():
-    """POV-Ray's release that the fork is made from, without Debian's packaging revision: all accepted revisions hold the same patches
-    (docs/patching.md)."""
+    """Without Debian's revision: accepted revisions hold the same patches (docs/patching.md)."""
     pin = json.loads((manifest.ROOT / "povray-src" / "upstream.json").read_text())
     return " ".join(str(pin[field]) for field in ("package", "upstream_version"))
 
 
 def make_oracle(entry, args, work):
-    """The unpatched program's picture. Returns picture, command, program, number of samples."""
+    """Returns picture, command, program, number of samples."""
     if not args.oracle:
         raise SystemExit(f"{entry.name}: give --oracle")
     output = work / "oracle.exr"
@@ -85,7 +82,7 @@ def make_oracle(entry, args, work):
 
 
 def make_render(entry, args, work):
-    """The fork's picture: the mean of several, each larger by a pixel all round and so with other samples in every pixel of the centre."""
+    """Mean of several, each larger by a pixel all round, with other samples in the centre."""
     if not args.povray:
         raise SystemExit(f"{entry.name}: give --povray")
     files = []

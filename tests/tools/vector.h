@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file vector.h
-/// The oracle's own three-vectors: it shares no code with the fork that it tests.
+/// No code is shared with the fork.
 
 #ifndef WITNESS_VECTOR_H
 #define WITNESS_VECTOR_H

@@ -1,8 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Picture apertures: sample densities follow the weights; orientation; monotony.
-// Seeds are fixed. A chi-square test fails for a perfect map with probability 1e-5.
+// Sample densities follow the weights; orientation; monotony. Fixed seeds; chi-square fails for a perfect map with probability 1e-5.
 
 #include "tilt_lens/camera/aperture.h"
 
@@ -26,12 +25,12 @@ namespace
 
 const double nearlyOne = std::nextafter(1.0, 0.0);
 
-/// A weight function. Its integral over bins of 1/16 of the lens is the expected probability.
+/// Integrals over bins of 1/16 of the lens are the probabilities.
 struct Picture
 {
     const char* name;
     std::function<double(double u, double v)> weight;
-    double tolerance;  ///< relative, of a bin's probability: 256 cells do not resolve edges
+    double tolerance;  ///< relative: 256 cells do not resolve edges
 };
 
 std::ostream& operator<<(std::ostream& out, const Picture& p)
@@ -125,7 +124,7 @@ TEST_P(AperturePicture, RisesWithUAndFallsWithV)
 
 TEST(AperturePictureOrientation, MatchesPovRaysBokeh)
 {
-    // lit at large u and small v, which means right and up, because v grows downward
+    // large u is right, small v is up: v grows downward
     const Aperture corner = Aperture::Picture([](double u, double v) { return u > 0.75 && v < 0.25 ? 1.0 : 0.0; });
     for (double u : {0.0, 0.5, nearlyOne})
         for (double v : {0.0, 0.5, nearlyOne})
@@ -161,7 +160,6 @@ TEST(AperturePictureCell, ASingleLitCellIsFilledEvenly)
 
 TEST(AperturePictureCell, CellWithAnEdgeCountsItsLitPart)
 {
-    // one whole cell and, far from it, three quarters of one
     const Aperture aperture = Aperture::Picture([](double u, double v)
     { return Between(80, v * 256, 81) && (Between(20, u * 256, 21) || Between(200, u * 256, 200.75)); });
     EXPECT_NEAR(aperture(1 / 1.75 - 1e-6, 0.5).a, 2 * 21 / 256. - 1, 1e-6);

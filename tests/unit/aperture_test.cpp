@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Discs and polygons. Seeds are fixed. A chi-square test fails for a perfect map with probability 1e-5.
+// Discs and polygons. Fixed seeds; chi-square fails for a perfect map with probability 1e-5.
 
 #include "tilt_lens/camera/aperture.h"
 
@@ -39,7 +39,7 @@ struct Outline
 
     Aperture Make() const { return blades == 0 ? Aperture::Disc() : Aperture::Polygon(blades, angle, curvature); }
 
-    /// Area of the corners' polygon plus the circular segments on its edges.
+    /// Area of the corners' polygon plus circular segments.
     double Area() const
     {
         if (blades == 0)
@@ -51,7 +51,7 @@ struct Outline
 
     double Tolerance() const { return curvature == 0 ? 1e-12 : 2e-5; }
 
-    /// 0 at the centre, 1 on the edge; from the distances of the edges, independent of the map's corners.
+    /// 0 at the centre, 1 on the edge; independent of the corners.
     double Size(const AperturePoint& p) const
     {
         if (blades == 0)
@@ -66,7 +66,7 @@ struct Outline
         return size;
     }
 
-    /// Relative radius of p if it lies on the arc around a centre on the other side.
+    /// Relative radius on the arc around a centre on the other side.
     double OnArc(const AperturePoint& p, double ahead) const
     {
         const double radius = 1 / curvature, half = std::sin(M_PI / blades);
@@ -118,7 +118,7 @@ TEST_P(ApertureOutline, TheMapPreservesAreaEverywhere)
         const double u = unit(random), v = unit(random);
         const AperturePoint p = aperture(u, v), q = aperture(u + h, v), r = aperture(u, v + h);
         const double jacobian = ((q.a - p.a) * (r.b - p.b) - (q.b - p.b) * (r.a - p.a)) / (h * h);
-        // across a crease between two smooth parts, a difference quotient is neither part's derivative
+        // difference quotients fail across a crease between smooth parts
         if (std::fabs(jacobian - GetParam().Area()) > 1e-4)
             ++creases;
     }
@@ -149,7 +149,7 @@ TEST_P(ApertureOutline, RandomPointsFillItUniformly)
 
 TEST_P(ApertureOutline, NeighboursStayNeighbours)
 {
-    // continuity keeps each stratum's image connected; a bijection keeps the images apart
+    // a continuous bijection keeps strata connected and apart
     const Aperture aperture = GetParam().Make();
     const int n = 1000;
     const double greatest = 6.0 / n;  // the map stretches by less than 6
@@ -226,7 +226,7 @@ TEST(ApertureGraded, FollowsItsBrightnessLaw)
                 ASSERT_LT(size, 1 + outline.Tolerance());
                 for (int k = 0; k < 3; ++k)
                     within[k] += size < 0.25 * (k + 1);
-                // the law is steep at the rim, so it is bounded within the outline's tolerance
+                // steep at the rim: bounded by the outline's tolerance
                 const double least = law(std::max(0.0, size - outline.Tolerance()));
                 const double most = law(std::min(1.0, size + outline.Tolerance()));
                 const double brightness = aperture.Density(p) * outline.Area();
@@ -266,7 +266,7 @@ TEST(ApertureDisc, DirectionsAreKept)
 
 TEST(AperturePolygon, HasItsCornersOnTheUnitCircle)
 {
-    // points of the square's rim at the corners' angles: the outermost of 4 x 10^4 per side
+    // corners' angles: the outermost of 4 x 10^4 points per side
     for (const Outline& outline : {Outline{3, 0.4}, Outline{5, -2}, Outline{Aperture::maxBlades, 0.001}})
     {
         const Aperture aperture = outline.Make();
@@ -287,7 +287,7 @@ TEST(AperturePolygon, HasItsCornersOnTheUnitCircle)
 
 TEST(AperturePolygon, TurnsFromRightToUp)
 {
-    // turned by 90 degrees, a triangle points up: a corner at (0, 1), an edge at b = -1/2
+    // turned by 90 degrees: a corner at (0, 1), an edge at b = -1/2
     const Aperture triangle = Aperture::Polygon(3, M_PI / 2);
     double top = -2, bottom = 2;
     for (int i = 0; i < 1000; ++i)

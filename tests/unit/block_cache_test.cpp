@@ -37,7 +37,7 @@ void SlowNoise(const SampleId& id, SampleResult& result)
     WhiteNoise(id, result);
 }
 
-/// Samples all tiles of a picture with several threads, which take tiles in turn as POV-Ray's do.
+/// Threads take tiles in turn, as POV-Ray's do.
 std::vector<Radiance> PictureOf(int threads, const Tracer& trace)
 {
     BlockCache cache(DenoisedLimits(), kWidth, kWidth, {0, 0, kWidth, kWidth});
@@ -77,7 +77,7 @@ TEST(BlockCache, TakesEachSampleOnceWithManyThreads)
     EXPECT_EQ(PictureOf(5, counting), alone);
 }
 
-/// While one sample takes its time, the other thread must finish all first rounds but one.
+/// Meanwhile the other thread must finish all first rounds but one.
 TEST(BlockCache, ThreadsWorkAheadInsteadOfWaiting)
 {
     const std::uint32_t others = 2 * settings.blockSide;
@@ -87,7 +87,7 @@ TEST(BlockCache, ThreadsWorkAheadInsteadOfWaiting)
     {
         if (id.x == 0 && id.y == 0 && id.index == 0 && !held.exchange(true))
         {
-            // until the other thread reaches rows that its own tile does not need
+            // until the other thread passes its own tile's rows
             for (int i = 0; i < 20000 && reached < others; i++)
                 std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }

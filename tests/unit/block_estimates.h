@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file block_estimates.h
-/// Blocks after one round of samples, for tests of estimates and decisions.
+/// Blocks after one round, for estimates and decisions.
 
 #ifndef TILT_LENS_TESTS_BLOCK_ESTIMATES_H
 #define TILT_LENS_TESTS_BLOCK_ESTIMATES_H
@@ -15,7 +15,7 @@
 namespace tilt_lens
 {
 
-/// Takes samples up to number `until` of every active pixel, in one round.
+/// Up to number `until`, every active pixel, one round.
 inline void TakeRound(BlockEstimate& estimate, std::uint32_t until, const Tracer& trace)
 {
     const Area& area = estimate.area;

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The three steps of a block: joint decisions of neighbouring pixels, and exchange with neighbouring blocks.
+// Joint decisions of neighbouring pixels, exchange with neighbouring blocks.
 
 #include "tilt_lens/sampling/block.h"
 
@@ -27,7 +27,7 @@ const LensFootprint& Footprint()
     return lens;
 }
 
-/// A sample of this brightness, blurred over pixels up to `radius` away.
+/// The sample is blurred over `radius` pixels.
 SampleResult Blurred(const SampleId& id, double grey, float radius)
 {
     SampleResult result;
@@ -43,7 +43,7 @@ SamplingLimits Denoised(double variance)
     return limits;
 }
 
-/// Fraction of the light that the plain means keep where one sample in 64 hits something bright.
+/// Light kept by plain means if one sample in 64 is bright.
 double LightKept(float blur)
 {
     const Tracer trace([blur](const SampleId& id, SampleResult& result)
@@ -55,14 +55,14 @@ double LightKept(float blur)
     return 64.0 * light / Square(side);
 }
 
-/// If pixels decided alone, those with dark samples only would stop, those with a bright one would go on, and light would be lost.
+/// Alone, pixels with dark samples would stop, the bright ones go on, and light would be lost.
 TEST(Block, BlurredPixelsDecideTogetherAndLoseNoLight)
 {
     EXPECT_LT(LightKept(0.0f), 0.6);
     EXPECT_GT(LightKept(6.0f), 0.8);
 }
 
-/// Only later samples hit the lamp, and only the left block takes these; its light must reach the right block.
+/// Only the left block's later samples hit the lamp; the light must reach the right block.
 TEST(Block, UsesLaterRoundsOfItsNeighbours)
 {
     const std::uint32_t seen = kSide + 4;  // columns of pixels that the lamp reaches
@@ -118,7 +118,7 @@ TEST(SentSamples, EachPixelHasTheSameTotalWeight)
     for (const SpreadSums::Sum sum : {SpreadSums::kRed, SpreadSums::kShare, SpreadSums::kSquares})
         for (int x = 0; x < 4; x++)
             EXPECT_NEAR(*unequal->From(sum, x, 1), *equal->From(sum, x, 1), 1e-4) << sum << ", " << x;
-    // more samples, each with less weight: less noise
+    // more samples, less weight each: less noise
     EXPECT_LT(*unequal->From(SpreadSums::kSquaredShares, 1, 1), *equal->From(SpreadSums::kSquaredShares, 1, 1));
     EXPECT_NEAR(unequal->OwnShare(0, 0), equal->OwnShare(0, 0), 1e-4);
     EXPECT_NEAR(unequal->PixelWeight(), 4.0f, 1e-5);

@@ -1,8 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Blur against the film points that light from a surface point reaches through the ends of the lens diameter parallel
-// to the film.
+// Blur against light through the ends of the lens diameter parallel to the film.
 
 #include "tilt_lens/camera/ray.h"
 
@@ -34,15 +33,13 @@ void ForManyPixels(Check check)
     }
 }
 
-/// Unit vector along the lens diameter parallel to the film.
 Vec3 SharedDiameter(const Lens& lens)
 {
     const Vec3 across = Cross(lens.normal, lens.axis);
     return Length(across) > 1e-9 ? Normalized(across) : lens.axisRight;
 }
 
-/// Frame point that light from T * chief reaches through a lens point: the lens sends light from the plane of sharp focus on parallel to
-/// the frame point's chief ray.
+/// Frame point reached from T * chief: the lens sends light from the plane of sharp focus on, parallel to the frame point's chief ray.
 Vec3 FramePoint(const Lens& lens, const Vec3& chief, double T, const Vec3& lensPoint)
 {
     const Vec3 path = chief - lensPoint / T;  // lensPoint is parallel to the film
@@ -60,7 +57,6 @@ TEST(Blur, IsTheDistanceOfTheOutermostRaysOnTheFilm)
             const Vec3 apart = FramePoint(lens, chief, at, end) - FramePoint(lens, chief, at, -1.0 * end);
             const double pixels = Length(apart) * width / Length(lens.right);
             const double blur = BlurDiameter(lens, chief, at, width);
-            // rounding of the frame points
             const double rounding = 1e-15 * Length(chief) * width / Length(lens.right);
             EXPECT_NEAR(std::fabs(blur), pixels, 1e-12 * pixels + 4.0 * rounding) << "at " << at;
         }
@@ -117,7 +113,7 @@ TEST(PlaneOfBlur, ZeroIsThePlaneOfSharpFocus)
 
 TEST(PlaneOfBlur, MeetInTheHingeLine)
 {
-    // the hinge line lies in the plane through the lens centre parallel to the film, so surfaces through it differ along the axis alone
+    // surfaces through the hinge line differ along the axis alone: it lies in the plane parallel to the film
     ForManyPixels([](const Lens& lens, const Vec3&, Random& random)
     {
         const Vec3 apart = PlaneOfBlur(lens, random(1.0, 9.0), 500.0) - lens.focus;

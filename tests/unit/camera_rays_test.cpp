@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Rays computed in groups: bit for bit equal to rays computed one by one.
+// Grouped rays equal single ones, bit for bit.
 
 #include "tilt_lens/sampling/camera_rays.h"
 
@@ -21,7 +21,7 @@ namespace
 
 constexpr std::uint32_t kWidth = 64, kHeight = 48;
 
-/// Runs within one group: whole, halves, and those of rounds of 1, 2, 4 and other numbers.
+/// Within one group, as rounds of 1, 2, 4 and others have.
 std::vector<SampleRun> Runs(std::uint32_t x, std::uint32_t y)
 {
     std::vector<SampleRun> runs;
@@ -46,7 +46,7 @@ Lens SomeLens(const Character& character = {}, double scale = 1.0)
     return lens;
 }
 
-/// All numbers of a ray, for comparison; -0 equals 0.
+/// -0 equals 0.
 std::vector<double> NumbersOf(const CameraRays& rays, std::uint32_t i)
 {
     const CameraSamples& s = rays.samples;
@@ -112,7 +112,7 @@ TEST(CameraRays, EqualRaysComputedOneByOneWithEmitterSampling)
     ExpectRaysOneByOne(SomeLens(), Aperture::Disc(), {}, {{{0.0, 0.0, 30.0}, 0.05, 1e4}});
 }
 
-/// A double Gauss, wide open, at the picture's edge: its rims block some samples, and some pixels see nothing.
+/// Wide open, at the edge: rims block some samples, some pixels see nothing.
 TEST(CameraRays, EqualRaysComputedOneByOneWithAGlassLens)
 {
     Statement statement;
@@ -156,7 +156,7 @@ TEST(CameraRays, EqualRaysComputedOneByOneWithAGlassLens)
     EXPECT_GT(refusedInAll, 100u);
 }
 
-/// Squares of such lengths overflow or underflow, so they are computed another way.
+/// Squares of such lengths overflow or underflow.
 TEST(CameraRays, MayHaveAnyLength)
 {
     for (const double scale : {1e-170, 1e-101, 1e101, 1e160})
@@ -168,7 +168,7 @@ TEST(CameraRays, MayHaveAnyLength)
     }
 }
 
-/// A lens point on the film: no ray leads from a point to itself, so the chief ray replaces it.
+/// No ray leads from a point to itself: the chief ray replaces it.
 TEST(CameraRays, AreChiefRaysWhereThereIsNoDirection)
 {
     Lens lens = SomeLens();

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Distortion, field curvature and colour fringes: closed forms, round trips, and refused values.
+// Distortion, field curvature, colour fringes: closed forms, round trips, refused values.
 
 #include <cmath>
 #include <string>
@@ -17,7 +17,7 @@ namespace tilt_lens
 namespace
 {
 
-/// Film of 36 by 24 mm, one millimetre per unit, 50 mm lens at f/2 focused at 2000.
+/// 36 by 24 mm, 1 mm per unit, 50 mm, f/2, focus at 2000.
 Statement Block(const Character& character, double tilt = 0.0, double shiftRight = 0.0, double shiftUp = 0.0)
 {
     Statement given;
@@ -79,7 +79,7 @@ TEST(Distortion, IsThePolynomialAboutTheAxisOfAShiftedFrame)
         const Lens lens = Made(Block(Distorted(0.1, -0.02), 0.0, shift, 0.0));
         for (const FilmPoint& picture : {FilmPoint{0.5, 0.5}, FilmPoint{-0.3, 0.1}, FilmPoint{0.0, -0.5}})
         {
-            // in half widths of the film, from the axis
+            // half widths of the film, from the axis
             const double x = 2.0 * picture.x + shift / 18.0, y = 2.0 * picture.y * 24.0 / 36.0;
             const double r2 = x * x + y * y, factor = 1.0 + 0.1 * r2 - 0.02 * r2 * r2;
             const FilmPoint ideal = IdealFilmPoint(lens, picture);
@@ -105,7 +105,7 @@ TEST(Distortion, TurnsWithTheLens)
     }
 }
 
-/// The first coefficient grows with focal length over distance of the focus along the lens's axis.
+/// Focal length over the focus's distance along the lens's axis.
 TEST(Distortion, ChangesWithTheDistanceOfTheFocus)
 {
     Statement given = Block(Distorted(0.1, -0.02, 0.4), 10.0, 5.0, 3.0);
@@ -116,7 +116,7 @@ TEST(Distortion, ChangesWithTheDistanceOfTheFocus)
     double least = HUGE_VAL, most = 0.0;
     for (const FilmPoint& picture : {FilmPoint{0.5, 0.5}, FilmPoint{-0.3, 0.1}, FilmPoint{0.0, -0.5}})
     {
-        // 1/D from the film point's distance behind the lens: 1/f = 1/v + 1/D
+        // 1/f = 1/v + 1/D, v behind the lens
         const Vec3 seen = IdealChiefRay(lens, picture);
         const double v = lens.filmDistance * Dot(seen, lens.normal) / Dot(seen, lens.axis), nearness = 50.0 * (1.0 / 50.0 - 1.0 / v);
         const double r = tangent(seen) / halfWidth, factor = 0.1 + 0.4 * nearness;
@@ -127,7 +127,7 @@ TEST(Distortion, ChangesWithTheDistanceOfTheFocus)
         most = std::max(most, nearness);
     }
     EXPECT_GT(most, 1.4 * least);
-    // a 50 mm lens focused at 400: the coefficient grows by 0.4/8
+    // focus at 400 mm adds 0.4/8
     given = Block(Distorted(0.1, -0.02, 0.4));
     given.focalPoint = {0.0, 0.0, 400.0};
     Statement constant = given;
@@ -148,13 +148,12 @@ TEST(Distortion, HasAnExactInverse)
 
 TEST(Distortion, ShowsNoPointBeyondTheFold)
 {
-    // r (1 - 0.1 r^2) grows up to r = sqrt(1/0.3), where it is 2/3 of r
     const double fold = std::sqrt(1.0 / 0.3);
     EXPECT_NEAR(FoldOf(-0.1, 0.0), fold * fold, 1e-13);
     EXPECT_TRUE(std::isinf(FoldOf(0.1, 0.0)));
     EXPECT_TRUE(std::isinf(FoldOf(0.0, 0.0)));
     EXPECT_TRUE(std::isinf(FoldOf(-0.1, 0.1)));
-    // the derivative 1 - 4 c r^3 is 0 at (4 c)^(-1/3); 1 - 4 r^3 + 3 r^4 = (1 - r)^2 (1 + 2 r + 3 r^2) touches 0 at 1
+    // 1 - 4 c r^3 is 0 at (4 c)^(-1/3); 1 - 4 r^3 + 3 r^4 = (1 - r)^2 (1 + 2 r + 3 r^2) touches 0 at 1
     EXPECT_NEAR(FoldOf(0.0, 0.0, -0.02), std::pow(0.08, -2.0 / 3.0), 1e-12);
     EXPECT_TRUE(std::isinf(FoldOf(0.0, 0.0, 0.02)));
     EXPECT_TRUE(std::isinf(FoldOf(0.0, 0.601, -1.0)));
@@ -178,7 +177,7 @@ TEST(Distortion, StretchesByTheInverseOfItsDerivatives)
     EXPECT_EQ(PictureStretch(Made(Block({})), {0.5, 0.5}), 1.0);
 }
 
-/// Extent of a point's image through the ends of a thin lens's diameters, against the blur in the layers.
+/// Image through the ends of a thin lens's diameters, against the layers' blur.
 TEST(Distortion, BlurIsTheSizeOfTheDiscInThePicture)
 {
     Statement given = Block(Distorted(0.2, -0.03), 0.0, 6.0, -4.0);
@@ -240,7 +239,7 @@ TEST(Character, AllRaysOfAFilmPointMeetOnTheSurfaceOfSharpFocus)
     });
 }
 
-/// With the image before the film by the sag, the film is in focus for the object distance of the thin lens equation.
+/// Film displaced by the sag: focus by the thin lens equation.
 TEST(FieldCurvature, IsTheSagOfTheImage)
 {
     const double s = 50.0 * 2000.0 / 1950.0, sag = 0.01;  // mm; squares of sag/s are negligible
@@ -266,7 +265,6 @@ TEST(LateralColour, MovesTheImagesOfTheSpectrumsEndsApart)
     character.lateralColour = 0.36;
     const Lens lens = Made(Block(character));
     EXPECT_TRUE(LensCamera(Shared(lens), Aperture::Disc(), character).HasColours());
-    // red shows at 18 mm the point that green shows at 18/1.01
     const auto seen = [&](double hue) { return IdealFilmPointOf(lens, MakeColourRay(lens, 0.5, 0.0, 0.0, 0.0, hue).direction)->x; };
     EXPECT_NEAR(seen(1.0), 0.5 / 1.01, 1e-14);
     EXPECT_NEAR(seen(0.0), 0.5, 1e-14);

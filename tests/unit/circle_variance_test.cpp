@@ -20,7 +20,7 @@ namespace
 constexpr int kSide = int(settings.blockSide);
 constexpr double kLamp = 10.0;
 
-/// Samples received by a block whose pixels take four samples each: one in `every` has hit a red lamp, the others darkness.
+/// Blocks of four samples a pixel: one in `every` has hit a red lamp.
 std::shared_ptr<const PaddedSpread> LampHitByOneIn(std::uint32_t every)
 {
     static const LensFootprint lens(Lens(), Aperture::Disc(), 3.0 * kSide, 3.0 * kSide);

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Decisions about a block from statistics alone: active pixels, reactivation, and the forecast of the reconstruction.
+// Decisions from statistics alone: active pixels, reactivation, forecast of the reconstruction.
 
 #include "tilt_lens/sampling/convergence.h"
 
@@ -27,8 +27,7 @@ std::size_t ActiveIn(const BlockEstimate& estimate)
     return std::count_if(estimate.pixels.begin(), estimate.pixels.end(), [](const PixelEstimate& pixel) { return pixel.active; });
 }
 
-/// A block without neighbours after its first round.
-/// Indices of all pixels of kMiddle.
+/// Indices of kMiddle's pixels; one round, no neighbours.
 std::vector<std::size_t> AllPixels()
 {
     std::vector<std::size_t> all(kMiddle.Size());
@@ -180,7 +179,7 @@ TEST(Neighbourhood, AveragesFirstRoundsOverTheirPixels)
     EXPECT_NEAR(Neighbourhood(rounds, Limits(8, 1024, 1e-4)).loneVariance, own.loneVariance / 2.0, 1e-12);
 }
 
-/// Dim noise around 0.7, after the first round of 8 samples.
+/// Dim noise around 0.7, after 8 samples.
 Prepared DimNoise()
 {
     SamplingLimits limits = Limits(8, 1024, 1e-3);
@@ -208,7 +207,7 @@ TEST(Forecast, IsSkippedWhereItSavesTooFewRays)
     EXPECT_FALSE(UpdateForecast(block.estimate, {100}, block.around, 8));
 }
 
-/// Active pixels after a first round of 8 samples.
+/// Active pixels after 8 samples.
 std::size_t ActiveAfterFirstRound(double variance, bool denoise, const Tracer& trace)
 {
     SamplingLimits limits = Limits(8, 1024, variance);

@@ -1,8 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Indices against real glasses; focal lengths of each colour against closed forms of a thick lens and an achromat; the camera's rays of
-// each colour.
+// Indices against real glasses, focal lengths of colours against closed forms.
 
 #include "tilt_lens/glass/dispersion.h"
 
@@ -21,7 +20,7 @@ namespace
 
 constexpr double kWavelengths[] = {405.0, 450.0, 486.1327, 550.0, 587.5618, 650.0, 695.0};
 
-/// A biconvex lens of BK7 with its stop far behind it.
+/// A biconvex lens of BK7, its stop far behind it.
 const char* const kSinglet = "50 6 1.5168 20 64.17\n-70 10 1 20\n0 0 0 8\n";
 
 TEST(Dispersion, ReproducesTheAbbeNumber)
@@ -37,7 +36,7 @@ TEST(Dispersion, ReproducesTheAbbeNumber)
     EXPECT_EQ(IndexAt(1.7, 0.0, 400.0), 1.7);
 }
 
-/// Schott's catalogue: N-BK7 and F2 at the lines r, C, F', e, g and h.
+/// Schott's catalogue: lines r, C, F', e, g, h.
 TEST(Dispersion, MatchesRealGlasses)
 {
     const double lines[] = {706.5188, 656.2725, 479.9914, 546.0740, 435.8343, 404.6561};
@@ -50,7 +49,7 @@ TEST(Dispersion, MatchesRealGlasses)
     }
 }
 
-/// Point of the axis where paraxial rays from infinity meet, in the lens's frame.
+/// Paraxial focus of infinity, in the lens's frame.
 double FocusOf(const GlassLens& lens)
 {
     GlassRay ray{{1e-3, 0.0, 200.0}, {0.0, 0.0, -1.0}};
@@ -69,14 +68,14 @@ TEST(Dispersion, SingletMatchesTheThickLensEquation)
         const double power = (n - 1.0) * (1.0 / r1 - 1.0 / r2 + (n - 1.0) * d / (n * r1 * r2)),
                      backFocus = (1.0 - (n - 1.0) * d / (n * r1)) / power;
         EXPECT_NEAR(GlassLens(AtWavelength(prescription, wavelength)).Cardinal().focalLength, 1.0 / power, 1e-11);
-        // real rays in the frame of the d line, behind the last surface of glass
+        // real rays in the d line's frame, behind the glass
         GlassLens coloured = lens;
         coloured.TakeIndices(AtWavelength(prescription, wavelength));
         EXPECT_NEAR(FocusOf(coloured), lens.Cardinal().frontVertex - d - backFocus, 1e-6) << wavelength;
     }
 }
 
-/// Two thin lenses in contact with f1 V1 = -f2 V2 focus C and F at one point, and wavelengths in between nearer.
+/// Thin lenses in contact with f1 V1 = -f2 V2: C and F meet, wavelengths between are nearer.
 TEST(Dispersion, AchromatHasTheSecondarySpectrum)
 {
     const double f = 100.0, V1 = 64.17, V2 = 36.37, n1 = 1.5168, n2 = 1.62004;
@@ -151,7 +150,7 @@ TEST(Dispersion, RaysOfAColourFocusWhereItsLensDoes)
     ASSERT_TRUE(camera.HasColours());
     ASSERT_TRUE(LensCamera(shared, Aperture::Disc(), {}).HasColours());
     EXPECT_FALSE(LensCamera(Made(kSinglet, false), Aperture::Disc(), {}).HasColours());
-    // near the axis, all rays of a film point meet at the distance of the thin lens equation for their focal length
+    // paraxial rays of a film point meet by the thin lens equation of their colour
     const double film = lens.filmDistance * Dot(lens.axis, lens.normal);
     const FilmPoint onAxis{0.0, -Dot(lens.normal, lens.axisUp) / Dot(lens.normal, lens.axis) * lens.filmDistance / 24.0};
     double apart[2];
@@ -172,7 +171,7 @@ TEST(Dispersion, RaysOfAColourFocusWhereItsLensDoes)
     }
     const Prescription prescription = ReadPrescription(kSinglet);
     const auto power = [&](double hue) { return 1.0 / GlassLens(AtWavelength(prescription, WavelengthOf(hue))).Cardinal().focalLength; };
-    // both have the same spherical aberration
+    // both have equal spherical aberration
     EXPECT_NEAR((apart[0] - apart[1]) / (power(-47.0 / 48.0) - power(47.0 / 48.0)), 1.0, 0.03) << film;
 }
 

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Focus by film distance and by the focusing scale, against the thin lens equation.
+// Film distance and focusing scale, against the thin lens equation.
 
 #include "tilt_lens/camera/optics.h"
 
@@ -16,7 +16,6 @@ namespace
 
 const double kFocalLength = 50.0;  // mm; a scene unit of PlainRequest() is a metre
 
-/// A 50 mm lens, turned.
 Request Turned(double tilt, double swing)
 {
     Request request = PlainRequest();
@@ -26,14 +25,12 @@ Request Turned(double tilt, double swing)
     return request;
 }
 
-/// Image distance of a point along the axis: the image lies on the line through the lens centre, and 1/object + 1/image = 1/f holds along
-/// the lens's own normal.
+/// The image lies on the line through the lens centre; 1/object + 1/image = 1/f along the lens's normal.
 double ImageDistance(const Lens& lens, const Vec3& point)
 {
     return Dot(point, lens.axis) * lens.focalLength / (Dot(point, lens.normal) - lens.focalLength);
 }
 
-/// Points of the plane of sharp focus are imaged onto the film.
 void ExpectPlaneOnFilm(const Lens& lens)
 {
     const Vec3 nearest = lens.focus / Dot(lens.focus, lens.focus);

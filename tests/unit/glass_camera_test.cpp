@@ -1,8 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Agreement with the ideal lens in the limit of ideal glass; sampled directions cover all that pass; brightness
-// against a count of all directions.
+// The limit of ideal glass; coverage; brightness against a count.
 
 #include "tilt_lens/lens_camera/glass_camera.h"
 
@@ -22,10 +21,10 @@ namespace tilt_lens
 namespace
 {
 
-/// Thin enough to be an ideal lens near its axis; the stop is in the lens.
+/// Ideal near its axis; the stop is in the lens.
 const char* const kThin = "100 1e-6 1.5 20\n-100 1e-6 1 20\n0 0 0 10\n";
 
-/// Film of 36 by 24 mm; one unit is a millimetre.
+/// 36 by 24 mm; 1 unit is 1 mm.
 struct Camera
 {
     Statement given;
@@ -84,7 +83,6 @@ Passage TraceThrough(const GlassLens& lens, const Aperture& aperture, GlassRay& 
     return passage == Passage::Passed && !(aperture.Density({stop.a, stop.b}) > 0.0) ? Passage::Stopped : passage;
 }
 
-/// Counts all directions of a film point, far beyond those sampled.
 struct Counted
 {
     double area = 0.0, l = 0.0, m = 0.0;  ///< of the directions that pass; mean direction
@@ -121,7 +119,7 @@ Counted Count(const GlassCamera& camera, const GlassLens& glass, const Aperture&
 
 TEST(GlassCamera, ThinGlassImagesAsTheIdealLens)
 {
-    // near the axis of a thin lens, with tilt, swing and shift: each ray meets the plane of sharp focus at the ideal ray's point
+    // near the axis, rays meet the plane of sharp focus at the ideal ray's point
     const Camera setting = Camera(kThin).FStop(50.0).Tilt(2.0, 1.0).Shift(0.5, -0.3);
     const SolvedLens lens = setting.Solved();
     const GlassCamera camera = setting.Made();
@@ -136,7 +134,7 @@ TEST(GlassCamera, ThinGlassImagesAsTheIdealLens)
         const LensRay& ray = sample.ray;
         const double step = (1.0 - Dot(lens.focus, ray.origin)) / Dot(lens.focus, ray.direction);
         const Vec3 met = ray.origin + step * ray.direction;
-        // the lens is 2 mm wide; its aberrations are far smaller than the effect of a wrong sign or place
+        // 2 mm wide: aberrations are far below a wrong sign's effect
         EXPECT_LT(Length(met - focused), 1e-4 * Length(focused)) << film.x << " " << film.y;
         EXPECT_NEAR(Dot(ray.direction, lens.axis), Dot(chief, lens.axis), 1e-12);
         EXPECT_NEAR(ray.w, Dot(lens.focus, chief), 1e-15);
@@ -159,7 +157,7 @@ TEST(GlassCamera, SamplesAllDirectionsThatPass)
                     outside += counted.outside;
                     passed += counted.passed;
                 }
-        // where the pupil is almost closed, its shape changes too fast for the table
+        // an almost closed pupil changes too fast for the table
         EXPECT_LE(outside, 1e-4 * passed) << named.name;
     }
 }
@@ -199,7 +197,6 @@ TEST(GlassCamera, DrawsDirectionsUniformly)
         const PixelSampler sequence(3, 5, 0);
         double x = 0.0, y = 0.0;
         const int samples = 4096;
-        // reverse tracing recovers the direction at the film
         for (int i = 0; i < samples; i++)
         {
             const SequencePoint point = sequence(i);
@@ -267,7 +264,7 @@ TEST(GlassCamera, DrawsFourAsOneByOne)
     EXPECT_GT(refused, 300);
 }
 
-/// A point of the unit disc maps to the ellipse of directions, through the glass, and into world axes.
+/// A point of the unit disc goes through the ellipse of directions and the glass into world axes.
 TEST(GlassCamera, DrawsThePointOfTheEllipse)
 {
     const Aperture disc = Aperture::Disc();
@@ -334,7 +331,7 @@ TEST(GlassCamera, IsAsBrightInItsMiddleAndSymmetric)
         for (const double right : {1.0, -1.0})
             for (const double up : {1.0, -1.0})
                 EXPECT_NEAR(camera.Brightness({right * film.x, up * film.y}), camera.Brightness(film), 2e-4);
-    // stopped down, no rim vignettes: exactly uniform
+    // stopped down, no rim vignettes
     const GlassCamera stopped = Camera(kDoubleGauss).FStop(11.0).Made();
     for (const FilmPoint& film : {FilmPoint{0.5, 0.5}, FilmPoint{-0.21, 0.4}})
         EXPECT_EQ(stopped.Brightness(film), 1.0);
@@ -342,7 +339,7 @@ TEST(GlassCamera, IsAsBrightInItsMiddleAndSymmetric)
 
 TEST(GlassCamera, HasNoRings)
 {
-    // brightness along a radius has no steps: its second derivative is bounded by that of the pupils' overlap
+    // no steps: the second derivative is bounded by that of the pupils' overlap
     const GlassCamera camera = Camera(kDoubleGauss).Made();
     const double step = 0.002;
     double before = camera.Brightness({0.0, 0.0}), last = camera.Brightness({step, 0.6 * step});
@@ -398,7 +395,7 @@ TEST(GlassCamera, RefusesABlockedCentre)
 
 TEST(FieldAberrations, MatchAThinLens)
 {
-    // a thin lens with the stop in it has no distortion, and focuses on spheres of curvature (1 + 1/n)/f and (3 + 1/n)/f
+    // no distortion; spheres of curvature (1 + 1/n)/f and (3 + 1/n)/f
     const GlassLens lens(ReadPrescription(kThin));
     const double f = lens.Cardinal().focalLength, height = 1.0, n = 1.5;
     const auto field = FieldAberrationsOf(lens, f, height);

@@ -1,8 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Cardinal points by closed forms, real rays by Snell's law, surfaces without aberration, the paraxial limit,
-// reversal, and the fates of rays.
+// Closed forms, Snell's law, perfect surfaces, the paraxial limit, reversal, blocked rays.
 
 #include "tilt_lens/glass/glass_lens.h"
 #include "double_gauss_rows.h"
@@ -40,7 +39,7 @@ Prescription DoubleGauss()
     return ReadPrescription(kDoubleGauss);
 }
 
-/// With a conic, an asphere and a curved first surface.
+/// A lens with conic, asphere and curved first surface.
 Prescription Aspheric()
 {
     Prescription lens = Singlet(30.0, -45.0, 6.0, 1.6, 2.0, 16.0);
@@ -61,13 +60,13 @@ Vec3 At(const GlassRay& ray, double z)
 
 TEST(CardinalPoints, MatchAThickLens)
 {
-    // lensmaker's equation, and positions of the principal points
+    // lensmaker's equation and principal points
     const double a = 40.0, b = -60.0, d = 7.0, n = 1.55;
     const CardinalPoints points = GlassLens(Singlet(a, b, d, n)).Cardinal();
     const double f = 1.0 / ((n - 1.0) * (1.0 / a - 1.0 / b + (n - 1.0) * d / (n * a * b)));
     const double front = -f * (n - 1.0) * d / (n * b), rear = -f * (n - 1.0) * d / (n * a);  // behind the vertices
     EXPECT_NEAR(points.focalLength, f, 1e-12 * f);
-    EXPECT_NEAR(points.frontVertex - 1.0, front, 1e-12);  // the first row is the stop, 1 mm before the glass
+    EXPECT_NEAR(points.frontVertex - 1.0, front, 1e-12);  // stop 1 mm before the glass
     EXPECT_NEAR(points.separation, d + rear - front, 1e-12);
     EXPECT_NEAR(points.backFocus, f + rear, 1e-12);
 }
@@ -77,7 +76,6 @@ TEST(CardinalPoints, MatchAThinLensAndABall)
     const CardinalPoints thin = GlassLens(Singlet(50.0, -50.0, 1e-9, 1.5)).Cardinal();
     EXPECT_NEAR(thin.focalLength, 50.0, 1e-8);
     EXPECT_NEAR(thin.separation, 0.0, 1e-8);
-    // both principal points of a ball lie in its centre
     const CardinalPoints ball = GlassLens(Singlet(10.0, -10.0, 20.0, 1.5)).Cardinal();
     EXPECT_NEAR(ball.focalLength, 1.5 * 10.0 / (2.0 * 0.5), 1e-12);
     EXPECT_NEAR(ball.separation, 0.0, 1e-12);
@@ -86,7 +84,7 @@ TEST(CardinalPoints, MatchAThinLensAndABall)
 
 TEST(CardinalPoints, PupilsAreImagesOfTheStop)
 {
-    // a stop before the glass is its own entrance pupil; its exit pupil is its image
+    // a stop before the glass is its own entrance pupil
     const GlassLens lens(Singlet(50.0, -50.0, 1e-9, 1.5, 20.0));
     const CardinalPoints& points = lens.Cardinal();
     EXPECT_NEAR(points.entrancePupil, 20.0, 1e-6);
@@ -94,7 +92,7 @@ TEST(CardinalPoints, PupilsAreImagesOfTheStop)
     EXPECT_NEAR(points.fNumber, 50.0 / 8.0, 1e-8);
     EXPECT_NEAR(1.0 / points.exitPupil, 1.0 / 20.0 - 1.0 / 50.0, 1e-8);  // 1/image = 1/f - 1/object, on the scene's side
     EXPECT_NEAR(points.exitMagnification, 50.0 / 30.0, 1e-8);
-    // a stop in the front focal point: telecentric
+    // a stop in the front focal point is telecentric
     EXPECT_GT(std::fabs(GlassLens(Singlet(50.0, -50.0, 1e-9, 1.5, 50.0)).Cardinal().exitPupil), 1e6);
 }
 
@@ -119,18 +117,18 @@ TEST(GlassLens, ApproachesTheParaxialLimit)
         const CardinalPoints& points = lens.Cardinal();
         const double film = -points.separation - points.focalLength, height = 1e-3;
         StopPoint stop;
-        // from the film's centre, focused at infinity: leaves parallel to the axis, at its height in H'
+        // focused at infinity: parallel, at its height in H'
         GlassRay ray{{0.0, 0.0, film}, Towards({0.0, 0.0, film}, {height, 0.0, -points.separation})};
         ASSERT_EQ(lens.Trace(ray, stop), Passage::Passed);
         EXPECT_NEAR(ray.direction.x, 0.0, 1e-6 * height / points.focalLength);
         EXPECT_NEAR(ray.origin.x, height, 1e-6 * height);
-        // towards H', and out of H in the same direction
+        // a ray towards H' leaves from H in the same direction
         ray = {{height, 0.0, film}, Towards({height, 0.0, film}, {0.0, 0.0, -points.separation})};
         const Vec3 before = ray.direction;
         ASSERT_EQ(lens.Trace(ray, stop), Passage::Passed);
         EXPECT_NEAR(ray.direction.x, before.x, 1e-6 * std::fabs(before.x));
         EXPECT_NEAR(At(ray, 0.0).x, 0.0, 1e-6 * height);
-        // towards the centre of the exit pupil, through that of the stop, and from that of the entrance pupil
+        // centres of exit pupil, stop and entrance pupil
         ray = {{height, 0.0, film}, Towards({height, 0.0, film}, {0.0, 0.0, points.exitPupil})};
         if (ray.direction.z < 0.0)
             ray.direction = -ray.direction;
@@ -142,7 +140,7 @@ TEST(GlassLens, ApproachesTheParaxialLimit)
 
 TEST(GlassLens, HyperboloidFocusesParallelLight)
 {
-    // a plane first surface and a hyperboloid of conic constant -n^2 focus all parallel rays in one point, at any aperture
+    // conic constant -n^2: parallel rays meet, at any aperture
     const double n = 1.5;
     Prescription prescription = Singlet(0.0, -30.0, 8.0, n, 1.0, 50.0);
     prescription.rows[0].diameter = 60.0;
@@ -162,7 +160,7 @@ TEST(GlassLens, HyperboloidFocusesParallelLight)
 
 TEST(GlassLens, SphereHasAplanaticPoints)
 {
-    // rays aimed at a point n R behind the centre of a glass ball meet at R/n behind it, at any angle
+    // a ball: rays aimed n R behind the centre meet R/n behind it
     const double n = 1.6, R = 20.0;
     Prescription prescription;
     prescription.rows = {Row(0.0, 1.0, 1.0, 200.0), Row(R, 50.0, n, 40.0), Row(0.0, 0.0, 1.0, 200.0)};
@@ -170,12 +168,11 @@ TEST(GlassLens, SphereHasAplanaticPoints)
     const double centre = lens.Cardinal().frontVertex - 1.0 - R;
     for (const double angle : {0.05, 0.2, 0.4})
     {
-        // in air towards n R behind the centre; refracted, through R/n behind the centre
         const Vec3 aim{0.0, 0.0, centre - n * R}, direction{-std::sin(angle), 0.0, -std::cos(angle)};
         GlassRay ray{aim - 100.0 * direction, direction};
         StopPoint stop;
         ASSERT_EQ(lens.TraceFromScene(ray, stop, false), Passage::Passed);
-        // the plane at the end refracts once more, at the ray's height x
+        // the plane at the end refracts at height x
         const double planeZ = lens.Cardinal().rearVertex, sine = -ray.direction.x / n;
         const double x = ray.origin.x + (centre - R / n - planeZ) * (sine / std::sqrt(1.0 - sine * sine));
         EXPECT_NEAR(x, 0.0, 1e-11) << angle;
@@ -184,7 +181,7 @@ TEST(GlassLens, SphereHasAplanaticPoints)
 
 TEST(GlassLens, FollowsSnellsLawAtAnAsphere)
 {
-    // one refraction: the point lies on the surface, and n sin is preserved in the plane of incidence
+    // n sin is preserved in the plane of incidence
     Prescription prescription;
     prescription.rows = {Row(0.0, 5.0, 1.0, 60.0), Row(25.0, 400.0, 1.7, 20.0), Row(0.0, 0.0, 1.0, 500.0)};
     prescription.rows[1].conic = -1.3;
@@ -201,7 +198,7 @@ TEST(GlassLens, FollowsSnellsLawAtAnAsphere)
     const double slope = (sag(h + step) - sag(h - step)) / (2.0 * step);
     const Vec3 point{x, y, vertex - sag(h)}, normal = Normalized(Vec3{slope * x / h, slope * y / h, 1.0});
     const Vec3 in = Normalized(Vec3{-0.2, 0.1, -1.0});
-    // Snell's law with the normal from a formula; then out through the plane
+    // normal from a formula; then out through the plane
     const double ratio = 1.0 / 1.7, cosine = -Dot(in, normal);
     Vec3 expected = ratio * in + (ratio * cosine - std::sqrt(1.0 - ratio * ratio * (1.0 - cosine * cosine))) * normal;
     expected.x *= 1.7;
@@ -244,7 +241,7 @@ TEST(GlassLens, RaysAreReversible)
     }
 }
 
-/// Through, past and against rims and stop: some of the four are blocked.
+/// Rays past rims and stop: some of the four are blocked.
 TEST(GlassLens, TracesFourSideBySideAsOneByOne)
 {
     std::mt19937 random(2);
@@ -306,7 +303,7 @@ TEST(GlassLens, ReportsTheFateOfARay)
     ray = {{0.0, 0.0, rear - 10.0}, Normalized(Vec3{0.8, 0.0, 1.0})};
     EXPECT_EQ(lens.Trace(ray, stop), Passage::Stopped);
     EXPECT_GT(stop.a, 1.0);
-    // from within: a plane first surface totally reflects steep rays
+    // a plane first surface totally reflects steep rays from within
     Prescription flat;
     flat.rows = {Row(0.0, 30.0, 1.8, 100.0), Row(-20.0, 1.0, 1.0, 38.0), Row(0.0, 0.0, 1.0, 38.0)};
     flat.stop = 2;
@@ -323,7 +320,7 @@ TEST(GlassLens, StopsDown)
     for (const double fNumber : {8.0, 2.8, 2.1})
     {
         lens.StopDown(fNumber);
-        // the widest ray from a point at infinity enters at half of focal length / f-number
+        // widest ray from infinity: focal length / (2 f-number)
         double widest = 0.0;
         for (double height = 0.0; height < 13.0; height += 1e-3)
         {
@@ -334,7 +331,6 @@ TEST(GlassLens, StopsDown)
         }
         EXPECT_NEAR(widest, 0.5 * lens.Cardinal().focalLength / fNumber, 1.1e-3) << fNumber;
     }
-    // never wider than it was made
     lens.StopDown(1.5);
     EXPECT_EQ(lens.StopRadius(), 0.5 * 17.1);
 }

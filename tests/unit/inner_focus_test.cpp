@@ -1,8 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Lenses that focus by moving groups of glass: states by closed forms, focus with a fixed film, tilt and swing, and
-// focuses beyond reach.
+// Moving groups of glass: closed forms, fixed film, tilt and swing, focuses beyond reach.
 
 #include "tilt_lens/glass/inner_focus.h"
 
@@ -20,7 +19,7 @@ namespace tilt_lens
 namespace
 {
 
-/// Invented: thin lenses of 50 and -80 mm, film 68 mm behind the first. The second lens moves towards the film.
+/// Invented: thin lenses of 50 and -80 mm, the second moves towards the film, 68 mm behind the first.
 const char* const kThinGroups = R"({
  "object-distance": ["infinity", 585.714],
  "surfaces": [
@@ -53,7 +52,7 @@ std::vector<Named> Lenses()
             {"Canon RF", ReadPrescription(Whole("canon_rf_51.json"))}};
 }
 
-/// Film of 36 by 24 mm; one unit is a millimetre.
+/// 36 by 24 mm; 1 unit is 1 mm.
 Statement Block(const Prescription& prescription)
 {
     Statement given;
@@ -103,14 +102,14 @@ TEST(InnerFocus, GoesFromStateToStateOfTheFile)
     EXPECT_EQ(InState(lens, 1.0).rows[4].thickness, 14.2099);
     EXPECT_EQ(InState(lens, 2.0).rows[4].thickness, 6.6433);
     EXPECT_NEAR(InState(lens, 1.5).rows[4].thickness, 0.5 * (14.2099 + 6.6433), 1e-12);
-    // half life size and life size, as the patent states
+    // half life size and life size, by the patent
     EXPECT_NEAR(ObjectDistanceOf(lens, 1.0), 480.07, 0.3);
     EXPECT_NEAR(ObjectDistanceOf(lens, 2.0), 272.364, 0.01);
     for (const double state : {1.0, 2.0})
         EXPECT_NEAR(FilmPlaceOf(lens, state) / DistanceOf(lens, state), 0.5 * state, 1e-4);
 }
 
-/// The paraxial image of the focused point lies on the film, and the film where the file puts it.
+/// The paraxial image is on the film, which stays in its place.
 TEST(InnerFocus, ImagesTheFocusOntoTheFilm)
 {
     for (const Named& named : Lenses())
@@ -132,7 +131,7 @@ TEST(InnerFocus, ImagesTheFocusOntoTheFilm)
     }
 }
 
-/// Real rays from the film's centre, through an almost closed stop, meet in the focal point.
+/// Real rays through an almost closed stop meet in the focal point.
 TEST(InnerFocus, LeadsRealRaysToTheFocus)
 {
     for (const Named& named : Lenses())
@@ -147,7 +146,7 @@ TEST(InnerFocus, LeadsRealRaysToTheFocus)
     }
 }
 
-/// For a turned lens, the plane of sharp focus is as stated, and the film as for an untilted lens.
+/// Turned: the stated plane, and the untilted lens's film.
 TEST(InnerFocus, KeepsTheMeaningOfTheOtherItems)
 {
     for (const Named& named : Lenses())
@@ -164,13 +163,11 @@ TEST(InnerFocus, KeepsTheMeaningOfTheOtherItems)
             EXPECT_NEAR(Dot(lens.focus, point), 1.0, 1e-12);
         EXPECT_GT(lens.groups, 0.0);
         EXPECT_NEAR(lens.filmDistance, FilmPlaceOf(named.prescription, lens.groups), 1e-6);
-        // the same by a tilt and a swing
         Statement turned = Block(named.prescription);
         turned.tilt = TiltOf(lens);
         turned.swing = SwingOf(lens);
         turned.focalPoint = given.points[1];
         EXPECT_NEAR(Solved(turned).groups, lens.groups, 1e-9);
-        // f_stop refers to the focal length of this focus
         given.fStop = 3.0 * lens.glass->Cardinal().fNumber;
         const SolvedLens stopped = Solved(given);
         EXPECT_NEAR(stopped.diameter * *given.fStop, stopped.glass->Cardinal().focalLength, 1e-9);
@@ -200,7 +197,7 @@ TEST(InnerFocus, MovesTheFilmBeyondTheGroupsReach)
     EXPECT_EQ(lens.groups, 1.0);
     EXPECT_NEAR(1.0 / lens.filmDistance + 1.0 / distance, 1.0 / lens.focalLength, 1e-12);
     EXPECT_GT(lens.filmDistance, FilmPlaceOf(prescription, 1.0) + 1.0);
-    // a plane beyond infinity on the axis, as a lens that leans back may need
+    // beyond infinity on the axis, for a lens that leans back
     Statement given = Block(prescription);
     given.family = FocusFamily::FocalPlane;
     given.planeNormal = {0.0, -1.0, -0.2};
@@ -208,7 +205,6 @@ TEST(InnerFocus, MovesTheFilmBeyondTheGroupsReach)
     const SolvedLens beyond = Solved(given);
     EXPECT_EQ(beyond.groups, 0.0);
     EXPECT_LT(beyond.filmDistance, FilmPlaceOf(prescription, 0.0));
-    // film_distance moves the film alone
     given = Block(prescription);
     given.filmDistance = 90.0;
     EXPECT_EQ(Solved(given).groups, 0.0);
@@ -274,7 +270,7 @@ TEST(InnerFocus, RefusesInconsistentData)
     ExpectError(kThinGroups, "585.714", "700", 2, "is focused at 585.7");
     // no group moves
     ExpectError(kThinGroups, "[20, 28]", "20", 2, "are all moved thicknesses there");
-    // a zoom has lists without object-distance, which stays an error
+    // lists of a zoom lack object-distance, which is an error
     ExpectError(kThinGroups, "\"object-distance\": [\"infinity\", 585.714],", "", 6, "a zoom");
 }
 

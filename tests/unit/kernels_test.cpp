@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// All variants of the kernels give the same picture, to the last bit. Skipped on processors that know only one.
+// All variants of the kernels give the same bits. Skipped on processors that know one.
 
 #include "tilt_lens/math/kernels.h"
 
@@ -26,7 +26,7 @@ namespace
 
 constexpr std::uint32_t kWidth = 40, kHeight = 36;
 
-/// Bright stripes on a dark wall and on posts before it.
+/// Bright stripes on a dark wall and posts.
 struct Stripes : RayTracer
 {
     double transparency, scale;
@@ -104,7 +104,7 @@ TEST(Kernels, AllVariantsGiveTheSamePicture)
     }
 }
 
-/// Numbers at which comparisons and rounding differ most easily.
+/// Comparisons and rounding differ most easily at these numbers.
 TEST(Kernels, AllVariantsMapTheEdgesOfTheUnitSquareAlike)
 {
     if (!HasSeveralVariants())
@@ -125,7 +125,7 @@ TEST(Kernels, AllVariantsMapTheEdgesOfTheUnitSquareAlike)
         }
 }
 
-/// The sum is left as it is where a radiance is not finite, or its square is not.
+/// A radiance that is not finite, or whose square is not, is left out of the sum.
 TEST(Kernels, AllVariantsRefuseRadiancesThatAreNotFinite)
 {
     for (const double bad : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN(), 1e200})

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The camera of a picture: each of its rules holds for the lenses that it names.
+// Each rule holds for the lenses that it names.
 
 #include "tilt_lens/lens_camera/lens_camera.h"
 
@@ -17,7 +17,7 @@ namespace tilt_lens
 namespace
 {
 
-/// A lens of 50 mm at f/2.8, one unit a millimetre.
+/// 50 mm, f/2.8, 1 unit is 1 mm.
 struct Setting
 {
     Statement given;
@@ -87,7 +87,7 @@ TEST(LensCamera, EachRuleHoldsForTheLensesThatItNames)
     }
 }
 
-/// The middle ray of a thin lens is the distorted chief ray; glass has one within its image circle only.
+/// Thin: the distorted chief ray; glass: within the image circle only.
 TEST(LensCamera, MiddleRaysPassTheMiddle)
 {
     const Setting distorts = Setting().With(&Character::distortion1, -0.1);
@@ -112,7 +112,7 @@ TEST(LensCamera, BlurGrowsAwayFromTheSharpPlane)
     EXPECT_NEAR(camera.Blur({0.2, 0.1}, 3000.0, 640.0), 0.0, 1e-9);
     EXPECT_GT(camera.Blur({0.2, 0.1}, 2000.0, 640.0), 1.0);
     EXPECT_LT(camera.Blur({0.2, 0.1}, 5000.0, 640.0), -1.0);
-    // a hit at infinity: aperture times film distance over focus distance, in pixels of film
+    // at infinity: aperture times film distance over focus distance, pixels
     const SolvedLens& lens = camera.Solved();
     const double atInfinity = camera.Blur({0.2, 0.1}, std::numeric_limits<double>::infinity(), 640.0);
     EXPECT_NEAR(atInfinity, -lens.diameter * lens.filmDistance / 3000.0 / 36.0 * 640.0, 1e-9);

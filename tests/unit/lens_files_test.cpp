@@ -1,8 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The lenses of scenes/include/lenses against their sources. Each forms a sharp image, which a wrong digit would
-// spoil.
+// scenes/include/lenses against their sources. A wrong digit would spoil the image.
 
 #include <cmath>
 #include <fstream>
@@ -30,7 +29,7 @@ std::string Whole(const std::string& name)
     return text.str();
 }
 
-/// Fields of a line; those in quotation marks may contain commas.
+/// Quoted fields may contain commas.
 std::vector<std::string> Fields(const std::string& line)
 {
     std::vector<std::string> fields(1);
@@ -70,7 +69,7 @@ std::vector<Stated> Lenses()
     return lenses;
 }
 
-/// Root mean square radius of a star's image on the axis, at best focus, relative to the focal length.
+/// Root mean square radius of a star's image, best focus, relative to the focal length.
 double AxialSpot(const GlassLens& lens, double fNumber)
 {
     const CardinalPoints& points = lens.Cardinal();
@@ -117,12 +116,12 @@ TEST(LensFiles, FormSharpImages)
     {
         SCOPED_TRACE(stated.file);
         const GlassLens lens(ReadPrescription(Whole(stated.file)));
-        // 0.01 mm for a 50 mm lens, at twice the f-number
+        // 0.01 mm for 50 mm, at twice the f-number
         EXPECT_LT(AxialSpot(lens, 2.0 * lens.Cardinal().fNumber), 0.01 / 50.0);
     }
 }
 
-/// Root mean square radius, in micrometres, of a star's image on the axis at the stated back focus, in the d, C and F lines.
+/// Root mean square radius, micrometres, on the axis at the stated back focus; d, C and F lines.
 double SpotOfThreeColours(const Stated& stated)
 {
     const Prescription prescription = ReadPrescription(Whole(stated.file));
@@ -150,8 +149,8 @@ double SpotOfThreeColours(const Stated& stated)
     return 1000.0 * std::sqrt(squares / passed);
 }
 
-/// Spot diagrams of the same tables by another program: spot-report.txt of the ray tracer jfotoptix, in the repository BeamFour/Beam42.
-/// Only lenses without glasses of abnormal dispersion, for which that report has the same focal length and back focus.
+/// spot-report.txt of the ray tracer jfotoptix, in the repository BeamFour/Beam42. Only lenses without
+/// glasses of abnormal dispersion, whose focal length and back focus agree with that report.
 TEST(LensFiles, SpotsMatchAnotherProgram)
 {
     const std::map<std::string, double> published = {

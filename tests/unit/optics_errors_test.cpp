@@ -243,7 +243,7 @@ TEST(BadCamera, PlaneThroughTheLensIsRefusedDespiteRounding)
     }
 }
 
-/// Every number of a request, for spoiling each.
+/// Each number of a request, to be spoiled.
 std::vector<double*> NumbersOf(Request& r)
 {
     Statement& s = r.given;
@@ -314,7 +314,6 @@ TEST(BadNumbers, YieldAnErrorOrAUsableLens)
                     double* number = NumbersOf(request)[i];
                     const bool fStop = request.given.fStop && number == &*request.given.fStop;
                     *number = bad;
-                    // an infinite f-number is a pinhole
                     SCOPED_TRACE(testing::Message() << "number " << i);
                     ExpectErrorOrLens(request, std::isnan(bad) || (std::isinf(bad) && !fStop));
                 }
@@ -363,7 +362,7 @@ TEST(Warnings, NameATiltWithoutAnAperture)
     EXPECT_TRUE(Warnings(Solved(request), request.given).empty());
 }
 
-/// The rim reaches radius * sin(turn) behind the lens centre, for any direction of the turn.
+/// The rim reaches radius * sin(turn) behind the lens centre.
 TEST(Warnings, NameARimThatPassesThroughTheFilm)
 {
     Random random(10);

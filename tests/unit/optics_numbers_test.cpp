@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Signs of the angles, shifts, units, and the report's numbers, as the manual states them.
+// Signs, shifts, units and the report's numbers, as in the manual.
 
 #include <limits>
 #include <vector>
@@ -180,17 +180,16 @@ TEST(PhysicalUnits, ApertureIsTwiceTheDiameterAndScalesWithTheCamera)
     EXPECT_EQ(Length(MakeRay(Solved(request), 0.2, 0.3, 0.7, 0.7).origin), 0.0);
 }
 
-/// Longest extent on the frame, in pixels, of the blur of a point on the axis, from rays through all lens points.
+/// Longest extent of an axis point's blur, pixels, over all lens points.
 double BlurInPixels(const Lens& lens, double distance, double width)
 {
     const Vec3 shared = Dot(lens.normal, lens.axis) < 1 - 1e-12 ? Normalized(Cross(lens.axis, lens.normal)) : lens.axisRight;
     const Vec3 chief = Dot(lens.direction, lens.axis) * lens.axis;
     const Vec3 rim = lens.diameter / 2 * shared;
-    // frame point D' with D' - (k.D') l parallel to X - l, l in the plane of the film
+    // D' - (k.D') l parallel to X - l, l parallel to the film
     const Vec3 path = (distance * lens.axis - rim) * (Length(chief) / distance);
     const Vec3 frame = path + Dot(lens.focus, path) / (1.0 - Dot(lens.focus, rim)) * rim;
-    // Less the chief ray's point: `shared` is perpendicular to the axis only up to rounding, which is large where the normal is
-    // nearly parallel to the axis.
+    // `shared` is perpendicular to the axis only up to rounding, large where the normal is nearly parallel to the axis.
     return 2 * std::fabs(Dot(frame - chief, shared)) * width / Length(lens.right);
 }
 
@@ -207,7 +206,7 @@ TEST(SharpRange, EndsAtTheGivenBlur)
         const SharpRange range = SharpRangeOf(lens, width, pixels);
         if (!std::isfinite(range.near))
             continue;
-        // a few roundings of numbers as large as the film's distance, relative to the radius of the blur
+        // roundings of the film's distance, relative to the blur's radius
         const double radius = pixels / 2 * Length(lens.right) / width;
         const double rounding = 4 * std::numeric_limits<double>::epsilon() * Dot(lens.direction, lens.axis) / radius;
         ASSERT_NEAR(BlurInPixels(lens, range.near, width) / pixels, 1.0, rounding);
@@ -228,7 +227,7 @@ TEST(SharpRange, EndsAtTheGivenBlur)
 
 TEST(SharpRange, HyperfocalDistanceIsTheTextbooks)
 {
-    // f^2 / (N c) + f: 50 mm at f/2, c = 36 mm / 1200 = 0.03 mm
+    // f^2 / (N c) + f: 50 mm, f/2, c = 36 mm / 1200
     Request request = PlainRequest();
     request.given.focalLength = 50.0;
     const double hyperfocal = 2500.0 / (2.0 * 0.03) + 50.0;
@@ -243,7 +242,7 @@ TEST(SharpRange, HyperfocalDistanceIsTheTextbooks)
 
 TEST(Numbers, ParallelLensReadsParallelForAnyOrientation)
 {
-    // rounding of turned axes must not show: 1e-15 degrees, a hinge line at 1e17 units
+    // rounding must not show: 1e-15 degrees, a hinge line at 1e17 units
     Random random(7);
     for (int i = 0; i < 1000; i++)
     {

@@ -1,8 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Laws of optics for solved lenses of any tilt, and the requirements of each statement. The laws are those of textbooks; no formula of the
-// library is repeated here.
+// Laws of textbooks for solved lenses of any tilt; no formula of the library is repeated.
 
 #include "tilt_lens/camera/optics.h"
 
@@ -33,7 +32,7 @@ double AngleBetween(const Vec3& a, const Vec3& b)
 class EveryFamily : public testing::TestWithParam<std::tuple<FocusFamily, bool>>
 {
   protected:
-    /// Calls check(request, lens) for many random cameras of the family.
+    /// Calls check(request, lens) for many random cameras.
     template<typename Check>
     void ForMany(Check check)
     {
@@ -88,7 +87,7 @@ TEST_P(EveryFamily, LengthsAndFrameAreAsStated)
         {
             EXPECT_NEAR(Dot(lens.direction, lens.axis), Dot(request.camera.direction, lens.axis), 1e-15 * width * 8);
         }
-            // the frame is the film's mirror image at the lens centre, scaled
+            // the film mirrored at the lens centre, scaled
         EXPECT_NEAR(Dot(lens.direction, lens.axis) / width * film / lens.filmDistance, 1.0, 4e-15);
         const Vec3 moved = CameraPart(lens, lens.direction - request.camera.direction) * (film / width * s.sceneUnit);
         EXPECT_NEAR(moved.x, s.shiftRight, 1e-14 * s.filmWidth);
@@ -139,7 +138,6 @@ TEST_P(EveryFamily, ThinLensEquationHoldsAlongTheLensNormal)
     Random random(2);
     ForMany([&](const Request&, const Lens& lens)
     {
-            // any chief ray, its film point and its point of sharp focus
         const Vec3 chief = lens.direction + random(-0.5, 0.5) * lens.right + random(-0.5, 0.5) * lens.up;
         const double objectVergence = Dot(lens.focus, chief) / Dot(lens.normal, chief);
         const Vec3 film = -lens.filmDistance / Dot(chief, lens.axis) * chief;
@@ -153,7 +151,7 @@ TEST_P(EveryFamily, LensFilmAndFocusShareALine)
     Random random(3);
     ForMany([&](const Request&, const Lens& lens)
     {
-            // the line of film and lens, in camera axes: z = -s, t.X = 0
+            // the line of film and lens: z = -s, t.X = 0
         const Vec3 t = CameraPart(lens, lens.normal), k = CameraPart(lens, lens.focus);
         const double across = std::hypot(t.x, t.y), s = lens.filmDistance;
         if (across < 1e-3)
@@ -163,7 +161,7 @@ TEST_P(EveryFamily, LensFilmAndFocusShareALine)
         {
             const Vec3 point{out * t.x - along * s * t.y / across, out * t.y + along * s * t.x / across, -s};
             EXPECT_NEAR(Dot(t, point) / Length(point), 0.0, 1e-14);
-                // the point inherits the rounding of t, k that of t/f
+                // the rounding of t, and k's of t/f
             EXPECT_NEAR(Dot(k, point), 1.0, 4e-15 * (Length(k) + 1.0 / lens.focalLength) * Length(point));
         }
     });
@@ -175,8 +173,7 @@ TEST_P(EveryFamily, ObeysTheHingeRule)
     {
         const double turn = AngleBetween(lens.normal, lens.axis);
         EXPECT_NEAR(HingeDistanceOf(lens) * std::sin(turn) / lens.focalLength, 1.0, 4e-15 / std::sin(turn));
-        // the hinge line lies in the plane of sharp focus and in the plane through the lens parallel to the film, on the side from
-        // which the lens leans away
+        // the hinge line: plane of sharp focus meets the plane through the lens parallel to the film, where the lens leans away
         const Vec3 t = CameraPart(lens, lens.normal), k = CameraPart(lens, lens.focus);
         const double across = std::hypot(t.x, t.y);
         const Vec3 foot{HingeDistanceOf(lens) * t.x / across, HingeDistanceOf(lens) * t.y / across, 0.0};
@@ -199,7 +196,7 @@ TEST_P(EveryFamily, LensCoordinatesSpanTheTurnedDisc)
         EXPECT_NEAR(Dot(lens.lensX, lens.lensY) / (radius * radius), 0.0, tolerance);
         EXPECT_NEAR(Dot(lens.lensX, lens.normal) / radius, 0.0, tolerance);
         EXPECT_NEAR(Dot(lens.lensY, lens.normal) / radius, 0.0, tolerance);
-        // the smallest rotation from film to lens leaves the line that both share unchanged
+        // the smallest rotation keeps the line common to film and lens
         const Vec3 t = CameraPart(lens, lens.normal), x = CameraPart(lens, lens.lensX), y = CameraPart(lens, lens.lensY);
         EXPECT_NEAR((-t.y * x.x + t.x * x.y) / radius, -t.y, tolerance);
         EXPECT_NEAR((-t.y * y.x + t.x * y.y) / radius, t.x, tolerance);
@@ -222,7 +219,7 @@ TEST_P(EveryFamily, ScaleMovesLengthsOnly)
             s.planeDistance *= factor;
             s.scale *= factor;
             const Lens same = Solved(scaled);
-            // powers of two are exact; products of small coordinates must be, too
+            // exact powers of two; so must be products of small coordinates
             EXPECT_EQ(same.focalLength, factor * lens.focalLength);
             EXPECT_EQ(same.filmDistance, factor * lens.filmDistance);
             EXPECT_EQ(same.diameter, factor * lens.diameter);
@@ -237,7 +234,7 @@ TEST_P(EveryFamily, WorksFarFromTheOrigin)
 {
     ForMany([](const Request& request, const Lens& lens)
     {
-        // multiples of 2^-20 units stay exact at 1e7 units from the origin
+        // multiples of 2^-20 are exact at 1e7 units
         Request near = request, far = request;
         const auto grid = [&](const Vec3& v)
         {
@@ -254,7 +251,7 @@ TEST_P(EveryFamily, WorksFarFromTheOrigin)
             near.given.points[i] = grid(request.given.points[i]);
             far.given.points[i] = place + near.given.points[i];
         }
-        // a plane written as normal and distance loses the digits that its distance from the origin costs
+        // normal and distance lose the digits of the distance from the origin
         const Vec3 unit = Normalized(request.given.planeNormal);
         near.given.planeDistance = Dot(unit, near.given.focalPoint);
         far.given.planeDistance = near.given.planeDistance + Dot(unit, place);
@@ -268,7 +265,7 @@ TEST_P(EveryFamily, WorksFarFromTheOrigin)
     });
 }
 
-/// Equation (1), with its angles in the camera's vertical plane.
+/// The angles lie in the camera's vertical plane.
 double PaperLensAngle(double filmDistance, double focusAngle, double distance)
 {
     return std::atan(filmDistance * std::tan(focusAngle) / (distance + filmDistance));
@@ -293,7 +290,7 @@ TEST(PaperEquation, HoldsInBothDirections)
         ASSERT_NEAR(TiltOf(lens) * kDegree, turn, 1e-15 * (1 + 20.0 / distance));
         ASSERT_NEAR(FocusAngleOf(lens) * kDegree, std::fabs(angle), 4e-15);
 
-        // and the inverse: that lens, focused at the same distance
+        // and the inverse equation
         request.given.family = FocusFamily::LensTurn;
         request.given.tilt = turn / kDegree;
         request.given.swing = 0.0;

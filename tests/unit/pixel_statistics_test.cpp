@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Statistics of one pixel: mean, variance of one sample, the two buffers, emitter samples.
+// Statistics of a pixel: mean, variance, buffers, emitter samples.
 
 #include "tilt_lens/sampling/pixel_statistics.h"
 
@@ -24,7 +24,7 @@ SampleResult Result(double value)
     return result;
 }
 
-/// Statistics after rounds of 4, 8, 16, ... samples.
+/// Rounds have 4, 8, 16, ... samples.
 PixelStatistics StatisticsOf(const std::vector<double>& values)
 {
     PixelStatistics pixel;
@@ -76,7 +76,7 @@ TEST(PixelStatistics, NonFiniteSamplesAreBlackAndCounted)
     }
 }
 
-/// Various rounds, and groups of samples added at once.
+/// Some groups of samples are added at once.
 TEST(PixelStatistics, AddingGroupsEqualsAddingOneByOne)
 {
     for (const double odd : {0.3, 1e200, HUGE_VAL, std::numeric_limits<double>::quiet_NaN()})

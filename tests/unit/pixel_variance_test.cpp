@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The variance ratio of stratified and independent samples, estimated from the two buffers.
+// Variance of stratified over independent samples, from the two buffers.
 
 #include "tilt_lens/sampling/pixel_variance.h"
 
@@ -16,7 +16,7 @@ namespace tilt_lens
 namespace
 {
 
-/// Smooth light, the best case of stratified samples.
+/// The best case of stratified samples.
 void Ramp(const SampleId& id, SampleResult& result)
 {
     result = Grey(SequencePointOf(id).lensU);
@@ -51,7 +51,7 @@ TEST(VarianceRatio, IsAboutOneForIndependentSamples)
     EXPECT_GT(sum, 0.85);  // ratios above 1 are clamped, so the mean lies below 1
 }
 
-// Each doubling of stratified samples divides the variance of a ramp's mean by eight.
+// Each doubling divides a ramp's variance by eight.
 TEST(VarianceRatio, FallsWithTheNumberOfStratifiedSamples)
 {
     double before = 1.0;
@@ -99,7 +99,7 @@ TEST(VarianceRatio, IsShrunkTowardsThePriorForFewNoisyPixels)
     EXPECT_EQ(VarianceRatioTerms().Ratio(0.9), 0.9) << "no noise at all";
 }
 
-// Four iterations leave an error of a few per cent for few samples.
+// Four iterations leave an error of a few per cent.
 TEST(VarianceRatio, RatioOfMeanSolvesBothEquations)
 {
     for (const double n : {8.0, 64.0, 4096.0})
@@ -111,7 +111,7 @@ TEST(VarianceRatio, RatioOfMeanSolvesBothEquations)
             }
 }
 
-/// Each half of four samples is one white and one black, in all pixels but one.
+/// Halves of four samples: one white, one black, except one pixel.
 TEST(RatiosOrOutliers, AnOutlierKeepsItsOwn)
 {
     const auto split = [](const SampleId& id, SampleResult& result)

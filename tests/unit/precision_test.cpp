@@ -1,8 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Precision: rays against the same formula in long double (at least 11 more bits), and whole cameras, from the statement on, against 50
-// digits.
+// Rays in long double (11 more bits), whole cameras against 50 digits.
 
 #include <cfloat>
 #include <cstdio>
@@ -25,7 +24,7 @@ static_assert(LDBL_MANT_DIG >= 64, "the rays' reference needs more digits than d
 const FocusFamily kFamilies[] = {FocusFamily::LensTurn, FocusFamily::FocusTurn, FocusFamily::FocalPlane, FocusFamily::FocalPoints};
 const char* const kFamilyNames[] = {"lens turn", "focus turn", "focal plane", "focal points"};
 
-/// Length of the difference in units of the last place (2^-52) of the true length.
+/// In last places (2^-52) of the true length.
 template<typename Real>
 double Ulps(const Vec<Real>& value, const Vec<Real>& truth)
 {
@@ -40,7 +39,6 @@ Vec<Real> As(const Vec3& v)
     return Vec<Real>(v);
 }
 
-/// MakeRay()'s formula in a longer type, for the same lens.
 LensRay ExactRay(const Lens& lens, double x, double y, double a, double b, Vec<long double>& direction)
 {
     using V = Vec<long double>;
@@ -77,7 +75,7 @@ TEST(Precision, ARayIsFormedToAFewUnitsOfTheLastPlace)
     std::printf("[          ] %d rays: mean %.2f ulp, worst %.2f ulp\n", rays, sum / rays, worst);
 }
 
-/// Errors of whole cameras, from statement to ray.
+/// Errors from the statement to the ray.
 struct Tally
 {
     double worst = 0.0, sum = 0.0;
@@ -86,7 +84,7 @@ struct Tally
 
 TEST(Precision, CamerasKeepTheirDigitsFromStatementToRay)
 {
-    // numbers of a scene count as exact, so that every family keeps all digits; the stress test tries ten million cameras
+    // a scene's numbers count as exact; the stress test tries ten million cameras
     Random random(22);
     Tally tallies[4];
     const int cameras = 100000;

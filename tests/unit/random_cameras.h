@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file random_cameras.h
-/// Random solvable cameras of every family and both handednesses, printable for failures. Ranges exceed those of
-/// photography: angles of view from 10 to 100 degrees, lens turns up to 30 and planes turned up to 75 degrees. Focus
-/// from 5 to 10^4 focal lengths away, f/1 to f/32.
+/// Random solvable cameras of every family and both handednesses, printable for failures. Beyond photography: angles of view from 10 to 100
+/// degrees, lens turns up to 30, planes up to 75 degrees, focus from 5 to 10^4 focal lengths, f/1 to f/32.
 
 #ifndef TILT_LENS_TESTS_RANDOM_CAMERAS_H
 #define TILT_LENS_TESTS_RANDOM_CAMERAS_H
@@ -25,7 +24,7 @@ namespace tilt_lens
 
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
-/// Uniform numbers, equal for every standard library.
+/// Numbers are the same for every standard library.
 class Random
 {
   public:
@@ -79,7 +78,7 @@ inline std::ostream& operator<<(std::ostream& out, const Request& request)
     return out << text.str();
 }
 
-/// At the origin, looking along z; width 1.6, height 1.2, angle of view 53 degrees.
+/// Along z; 1.6 by 1.2, angle of view 53 degrees.
 inline Request PlainRequest()
 {
     Request request;
@@ -94,13 +93,12 @@ inline Lens Solved(const Request& request)
     return Solve(request.camera, request.given);
 }
 
-/// A lens for the classes that share one.
 inline std::shared_ptr<const SolvedLens> Shared(const SolvedLens& lens)
 {
     return std::make_shared<const SolvedLens>(lens);
 }
 
-/// Any rotation, either handedness, often sheared.
+/// Axes are often sheared.
 inline CameraFrame RandomFrame(Random& random)
 {
     const Vec3 axis = random.Direction();
@@ -118,7 +116,7 @@ inline CameraFrame RandomFrame(Random& random)
     return camera;
 }
 
-/// Film normal into the scene.
+/// The film's normal points into the scene.
 inline Vec3 AxisOf(const CameraFrame& camera)
 {
     const Vec3 axis = Normalized(Cross(camera.right, camera.up));
@@ -166,7 +164,7 @@ inline Request RandomRequest(Random& random, FocusFamily family, bool focalLengt
     return request;
 }
 
-/// True if the whole film lies well behind the lens and no lens point near the film.
+/// The film is well behind the lens, no lens point near it.
 inline bool CouldBeBuilt(const Lens& lens)
 {
     for (int corner = 0; corner < 4; corner++)
@@ -179,7 +177,7 @@ inline bool CouldBeBuilt(const Lens& lens)
     return dip < 0.5 * lens.filmDistance && lens.diameter < 2.0 * lens.focalLength;
 }
 
-/// The next random request whose lens exists and could be built.
+/// A request whose lens could be built.
 inline Request SolvableRequest(Random& random, FocusFamily family, bool focalLengthGiven, Lens& lens)
 {
     for (;;)
@@ -191,13 +189,13 @@ inline Request SolvableRequest(Random& random, FocusFamily family, bool focalLen
         }
         catch (const OpticsError&)
         {
-            continue; // no lens: a focal length too long, or a plane too near
+            continue;  // no lens: a focal length too long, or a plane too near
         }
         if (CouldBeBuilt(lens))
             return request;
     }
 }
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
 
 #endif

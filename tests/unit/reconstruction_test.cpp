@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Pixels without noise stay, noise is removed, edges remain, and the remaining variance is reported.
+// Pixels without noise and edges stay, noise goes, the remaining variance is reported.
 
 #include "tilt_lens/reconstruction/reconstruction.h"
 
@@ -59,7 +59,7 @@ struct Errors
     double before = 0.0, after = 0.0, claimed = 0.0;
 };
 
-/// Mean square errors over many blocks of noise around `truth`.
+/// Errors over many blocks of noise around `truth`.
 Errors ErrorsOf(const std::function<double(int, int)>& truth, double variance)
 {
     std::mt19937 random(7);
@@ -103,8 +103,7 @@ TEST(Reconstruction, RemovesNoiseOfSmoothAreasAndReportsTheRest)
         }
 }
 
-// Crossed waves of 100 to 6 pixels, with amplitudes of a tenth to ten standard deviations of the noise: in some the noise is removed, in
-// others it must stay.
+// Waves of 100 to 6 pixels, a tenth to ten deviations of the noise: in some the noise goes, in others it must stay.
 TEST(Reconstruction, ReportsRemainingNoiseAndBias)
 {
     double least = 1.0, greatest = 0.0;
@@ -143,7 +142,7 @@ TEST(Reconstruction, KeepsDetailThatResemblesNoise)
 
 TEST(Reconstruction, MirrorsBlocksForUnknownNeighbours)
 {
-    // all combinations of known neighbours; a pixel's value is 1000 times its block's number plus its index
+    // any known neighbours; 1000 times the block's number plus the index
     for (int known = 0; known < 256; known++)
     {
         std::array<BlockStatistics, 9> blocks;
@@ -193,7 +192,7 @@ TEST(Reconstruction, RepeatsPixelsBeyondThePicturesEdge)
 
 TEST(Reconstruction, LampsLeaveDarkPixelsBesideThemUnharmed)
 {
-    // a lamp whose noise is far above all around it
+    // a lamp's noise is far above the surroundings
     for (const double lamp : {10.0, 1e3, 1e6})
         for (const double dark : {0.0, 0.5})
         {

@@ -3,8 +3,7 @@
 
 /// @file reference_camera.h
 /// An independent camera in any number type: plane of sharp focus as normal and distance, thin lens equation,
-/// intersection of chief ray and plane, ray through it. It shares no formula with the library beyond the laws of
-/// optics.
+/// intersection of chief ray and plane, ray through it. It shares no formula with the library.
 
 #ifndef TILT_LENS_TESTS_REFERENCE_CAMERA_H
 #define TILT_LENS_TESTS_REFERENCE_CAMERA_H
@@ -16,8 +15,7 @@
 namespace tilt_lens
 {
 
-/// Newton's method from the double's root: 53 digits, 107, 215. Boost's root is digit by digit, which would dominate the time for ten
-/// million cameras.
+/// Newton from the double's root: 53, 107, 215 digits. Boost's root, digit by digit, is too slow for ten million cameras.
 template<typename Real>
 Real Root(const Real& a)
 {
@@ -177,8 +175,7 @@ class ReferenceCamera
                     up * (Real(given.shiftUp) * perMillimetre);
     }
 
-    /// The smallest rotation that takes the axis to the lens normal (Rodrigues): the component along the shared line of both planes stays,
-    /// the rest turns.
+    /// The smallest rotation (Rodrigues) keeps the component along both planes' line.
     V Turned(const V& v) const
     {
         const V turn = axis.Cross(t);

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The library owns its rays: a renderer returns radiance and distance, and the library makes samples of them.
+// The library makes samples of a renderer's radiance and distance.
 
 #include "tilt_lens/sampling/sample_tracer.h"
 
@@ -22,7 +22,7 @@ namespace
 
 constexpr std::uint32_t kWidth = 64, kHeight = 48;
 
-/// A wall across the camera's axis at some distance. Remembers the ranges that it was asked for.
+/// A wall across the axis. Remembers the requested ranges.
 struct Wall : RayTracer
 {
     double distance = 20.0;
@@ -57,7 +57,6 @@ SampledCamera CameraWith(const Statement& statement, bool denoise = true, bool d
                          {kWidth, kHeight, lamps}, statement.sampleSeed);
 }
 
-/// Through a double Gauss.
 Statement StatementOfGlass()
 {
     Statement statement;
@@ -67,7 +66,6 @@ Statement StatementOfGlass()
     return statement;
 }
 
-/// The results of a pixel's first group.
 std::vector<SampleResult> FirstGroup(const SampledCamera& camera, Wall& wall, std::uint32_t x, std::uint32_t y, bool aims = true)
 {
     SampleTracer tracer(camera, wall, aims);
@@ -91,7 +89,7 @@ TEST(SampleTracer, AsksOnceForARunOfPlainSamples)
     EXPECT_TRUE(wall.asked[0].distances);
 }
 
-/// The lens is 1 wide and focused at 10: at the distance 1, where the frame is 4/3 wide, the circle of a point at 20 is 1/10 - 1/20 wide.
+/// Lens 1 wide, focus 10, frame 4/3 wide at 1: a point at 20 has a circle of 1/10 - 1/20.
 TEST(SampleTracer, TurnsTheDistanceIntoACircle)
 {
     Wall wall;
@@ -150,7 +148,7 @@ TEST(SampleTracer, DoesNotAskForBlockedRays)
     EXPECT_GT(tracer.refusedRays, 0u);
 }
 
-/// Each of the three rays is one of its sample, so that all draw the same random numbers, and gives its own channel.
+/// They draw the same random numbers, each for its channel.
 TEST(SampleTracer, MixesASampleOfThreeColours)
 {
     Character fringes;
@@ -171,7 +169,7 @@ TEST(SampleTracer, MixesASampleOfThreeColours)
     }
 }
 
-/// The footprint describes circles of confusion only for these cameras.
+/// Only here the footprint describes circles of confusion.
 TEST(SampledCamera, SpreadsSamplesOnlyWhereTheirCirclesAreKnown)
 {
     EXPECT_TRUE(CameraWith(StatementWith()).spreads);
@@ -180,7 +178,7 @@ TEST(SampledCamera, SpreadsSamplesOnlyWhereTheirCirclesAreKnown)
     EXPECT_FALSE(CameraWith(StatementOfGlass()).spreads);
 }
 
-/// The usual minimum is less where samples may be aimed at emitters, in a picture that is denoised.
+/// In a denoised picture with samples aimed at emitters.
 TEST(SampledCamera, TakesMoreFirstSamplesWhereNoneCanBeAimed)
 {
     EXPECT_EQ(CameraWith(StatementWith()).limits.min, settings.firstSamples);

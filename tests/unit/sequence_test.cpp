@@ -1,8 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Properties of the sequence, not values. Tests of random quantities have fixed seeds and bounds of the stated
-// significance.
+// Properties, not values. Fixed seeds, bounds of stated significance.
 
 #include "tilt_lens/sampling/sequence.h"
 
@@ -59,7 +58,7 @@ std::vector<Point> Block(const Pixel& p, std::uint32_t first, int count)
     return points;
 }
 
-/// Checks that every elementary interval with 2^split[d] parts along dimension d has `expected` points.
+/// Intervals of 2^split[d] parts along d have `expected` points each.
 void ExpectStratified(const std::vector<Point>& points, const std::array<int, dimensions>& split, int expected)
 {
     std::vector<int> count(std::size_t{1} << (split[0] + split[1] + split[2] + split[3]));
@@ -156,7 +155,7 @@ TEST(PixelSampler, ValuesDoNotDependOnTheOrderOfCalls)
 
 TEST(PixelSampler, TheSequenceIsThatOfTheReferenceImages)
 {
-    // Any change of the sequence changes every picture with an aperture.
+    // A change of the sequence changes every picture with an aperture.
     const struct
     {
         Pixel pixel;
@@ -189,7 +188,7 @@ TEST(PixelSampler, ValuesStayInsideTheOpenUnitInterval)
 
 TEST(PixelSampler, OneIndexIsUniformOverPixels)
 {
-    // 40 tests: for a perfect sampler one has p below 1e-5 with probability 4e-4
+    // 40 tests: p below 1e-5 by chance has probability 4e-4
     for (std::uint32_t index : {0u, 1u, 5u, 1000u})
         for (int d = 0; d < dimensions; ++d)
             for (int e = d; e < dimensions; ++e)
@@ -207,8 +206,7 @@ TEST(PixelSampler, OneIndexIsUniformOverPixels)
 
 TEST(PixelSampler, ScramblingIsOwens)
 {
-    // Two samples that agree in a coordinate's first bits only are unrelated after the first bit in which they differ. 48 tests: with true
-    // randomness one has p below 1e-5 with probability 5e-4.
+    // After their first different bit, samples are unrelated. 48 tests: p below 1e-5 has probability 5e-4.
     const std::uint32_t pairs[][2] = {{0, 1}, {0, 2},  {0, 3}, {1, 5},  {0, 4},    {2, 3},
                                       {0, 8}, {3, 11}, {5, 6}, {0, 16}, {0, 1024}, {7, 1000}};
     for (const auto& pair : pairs)
@@ -243,7 +241,7 @@ std::ostream& operator<<(std::ostream& out, const Integrand& i)
     return out << i.name;
 }
 
-/// An edge across the pixel blurred by 2c pixels: fraction of x + c (2u - 1) > t.
+/// Blurred by 2c pixels: fraction of x + c (2u - 1) > t.
 Integrand BlurredEdge(const char* name, double c, double t)
 {
     const auto part = [](double s) { return s > 0 ? s * s / 2 : 0.0; };
@@ -309,7 +307,7 @@ TEST_P(SamplerIntegral, IsUnbiased)
 
 TEST_P(SamplerIntegral, ErrorsOfNeighboursAndSeedsAreUncorrelated)
 {
-    // neighbours along rows, columns and diagonals, and consecutive seeds
+    // neighbours by rows, columns and diagonals, and seeds
     const Pixel steps[] = {{1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 0, 0}, {0, 0, 1}, {0, 0, 2}, {1, 0, 1}, {1, 0, 0u - 1}};
     for (int samples : {1, 4, 16})
         for (const Pixel& step : steps)
@@ -359,7 +357,7 @@ TEST_P(SamplerIntegral, ErrorFallsFasterThanForRandomSamples)
 {
     const double few = RootMeanSquareError(GetParam(), 16), many = RootMeanSquareError(GetParam(), 4096);
     const double slope = std::log2(many / few) / 8;
-    // exponents: 1.5 is possible for bounded variation, 0.75 for an edge in two dimensions; random samples have 0.5
+    // exponents: at best 1.5 for bounded variation, 0.75 for an edge in two dimensions, 0.5 for random samples
     const bool smooth = GetParam().name == integrands[0].name;
     EXPECT_LT(slope, smooth ? -0.7 : -0.6) << "errors " << few << " and " << many;
 }
@@ -400,7 +398,7 @@ TEST(PixelHash, FlippingAnyInputBitFlipsHalfOfTheOutput)
                 for (int out = 0; out < 32; ++out)
                     flips[out] += static_cast<int>((change >> out) & 1u);
             }
-            // 6 standard deviations, 32 each, of a binomial of 4096 fair coins
+            // 6 standard deviations, 32 each, of 4096 fair coins
             for (int out = 0; out < 32; ++out)
                 EXPECT_NEAR(flips[out], 2048, 192) << "argument " << argument << ", bit " << bit << ", output bit " << out;
         }

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sharp_plane_test.cpp
-/// The plane of least greatest blur against brute force: of all sets of four, three and two points, the one whose best
-/// plane has the greatest deviation.
+/// The least greatest blur against brute force: of all sets of four, three and two points, the worst best plane.
 
 #include <gtest/gtest.h>
 
@@ -44,8 +43,7 @@ Real Volume(const RealVec& a, const RealVec& b, const RealVec& c)
     return Dot(Cross(a, b), c);
 }
 
-/// The least deviation on four equations that any plane has: by Cramer's rule, where their directions are in general
-/// position.
+/// Cramer's rule for four equations, in general position.
 Real DeviationOf(const Equations& e, const std::size_t (&at)[4])
 {
     const RealVec &a = e[at[0]].direction, &b = e[at[1]].direction, &c = e[at[2]].direction, &d = e[at[3]].direction;
@@ -59,7 +57,7 @@ Real DeviationOf(const Equations& e, const std::size_t (&at)[4])
     return scale > 0 ? Real(abs(sum) / scale) : Real(0);
 }
 
-/// By duality the least greatest blur is the greatest deviation of a set of four.
+/// Duality: the greatest deviation of a set of four.
 Real BruteForce(const Equations& e)
 {
     Real greatest = 0;
@@ -87,7 +85,7 @@ std::vector<Vec3> RandomPoints(Random& random, int count, double width, double f
     return points;
 }
 
-/// True if no small change of k, in many directions, lowers the greatest residual.
+/// No small change of k lowers the greatest residual.
 void ExpectLocalMinimum(Random& random, const Equations& equations, const RealVec& k)
 {
     const Real least = GreatestResidual(equations, k);
@@ -130,7 +128,7 @@ TEST(SharpPlane, HasLeastGreatestBlurOfManyPoints)
 
 TEST(SharpPlane, HoldsFromAMillionToOneOn)
 {
-    // almost in a plane, seen within a millionth of a radian, almost on a line in the picture, and far and near at once
+    // almost in a plane, within a millionth of a radian, almost on a line, far and near at once
     Random random(3);
     for (int i = 0; i < 1200; i++)
     {
@@ -176,7 +174,7 @@ TEST(SharpPlane, PassesThroughAllPointsOfAPlane)
     }
 }
 
-/// Three points that the picture has on a line leave a choice, which the others make.
+/// Three points on a line leave a choice, which the others make.
 TEST(SharpPlane, ServesOtherPointsWhereThreeBind)
 {
     Random random(6);
@@ -191,7 +189,7 @@ TEST(SharpPlane, ServesOtherPointsWhereThreeBind)
         const RealVec k = LeastGreatestBlur(equations);
         ASSERT_EQ(double(GreatestResidual(equations, k)), 0.5);
         ASSERT_LT(double(abs(k.x)) + double(abs(k.z - Real(1.5))), 1e-25);
-        // of k.y alone: the best over pairs
+        // an optimum of k.y alone, over pairs
         const Equations rest(equations.begin() + 3, equations.end());
         Real least = 0;
         for (const VergenceEquation& a : rest)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sharp_points_test.cpp
-/// `sharp_points` as a whole camera solves it.
+/// As a whole camera solves it.
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ namespace tilt_lens
 namespace
 {
 
-/// The camera of a random request, with points about a plane in front of it.
+/// Points about a plane in front of a random camera.
 Request WithPoints(Random& random, bool focalLengthGiven, int count)
 {
     Request request = RandomRequest(random, FocusFamily::SharpPoints, focalLengthGiven);
@@ -121,7 +121,7 @@ TEST(SharpPoints, ThreeAreFocalPoints)
     }
 }
 
-/// The widest aperture for a blur, whichever item gives the angle of view, and with the traits of real lenses.
+/// Any angle of view, and traits of real lenses.
 TEST(SharpPoints, WidestApertureHoldsAll)
 {
     Random random(4);
@@ -162,7 +162,7 @@ TEST(SharpPoints, WidestApertureHoldsAll)
     EXPECT_GT(held, 100);
 }
 
-/// Against all planes across the axis, one after the other.
+/// Compares with all planes across the axis.
 TEST(SharpPoints, KnowsTheBestLensWithoutTilt)
 {
     Random random(5);

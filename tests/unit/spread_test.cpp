@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Samples spread over their circles of confusion: positions, and shares sent and received.
+// Spread samples: positions, and shares sent and received.
 
 #include "tilt_lens/reconstruction/padded_spread.h"
 
@@ -34,14 +34,14 @@ Vec3 ChiefThrough(const Lens& lens, const Vec3& point)
     return point * (Dot(lens.direction, lens.axis) / Dot(point, lens.axis));
 }
 
-/// Pixels from the upper left corner; film coordinates from a chief ray that ends on the frame.
+/// Pixels: from the upper left corner; film: from a chief ray.
 FilmPoint PixelOf(const Lens& lens, const Vec3& chief)
 {
     const Vec3 along = chief - lens.direction, r = Cross(lens.up, lens.axis), u = Cross(lens.axis, lens.right);
     return {(Dot(along, r) / Dot(lens.right, r) + 0.5) * kWidth, (0.5 - Dot(along, u) / Dot(lens.up, u)) * kHeight};
 }
 
-/// The pixel that sees `point` through a lens point, by iteration: chief ray = point / T - (1/T - w) lens point.
+/// By iteration: chief ray = point / T - (1/T - w) lens point.
 FilmPoint PixelThrough(const Lens& lens, const Vec3& point, const AperturePoint& at)
 {
     const Vec3 l = at.a * lens.lensX + at.b * lens.lensY;
@@ -49,7 +49,7 @@ FilmPoint PixelThrough(const Lens& lens, const Vec3& point, const AperturePoint&
     for (int i = 0; i < 200; i++)
     {
         const double w = Dot(lens.focus, chief);
-        // T from the depth along the axis
+        // T is the depth along the axis
         const double inverse = (Dot(lens.direction, lens.axis) - w * Dot(l, lens.axis)) / Dot(point - l, lens.axis);
         chief = inverse * point - (inverse - w) * l;
     }
@@ -97,7 +97,7 @@ CircleOfConfusion CircleAt(const LensFootprint& lens, float x, float y, float ra
     return {x, y, radius, 0.0f, 0.0f, radius, &lens};
 }
 
-/// Sums received by a pixel: red, green, blue, and shares.
+/// Received red, green, blue and shares.
 Float4 SentTo(const SpreadSums& sums, int x, int y)
 {
     Float4 sent;
@@ -106,7 +106,7 @@ Float4 SentTo(const SpreadSums& sums, int x, int y)
     return sent;
 }
 
-// Nearly: the number of possible senders of a circle is taken for a product of lengths.
+// Nearly: possible senders are counted by a product of lengths.
 TEST(SpreadSums, SharesAddUpToNearlyOneInCirclesWithinReach)
 {
     for (const Aperture& aperture : {Aperture::Disc(), Aperture::Polygon(5, 0.3)})
@@ -137,14 +137,14 @@ TEST(SpreadSums, SharesAddUpToNearlyOneInCirclesWithinReach)
     }
 }
 
-/// Window of a sample along rows or columns.
+/// A sample's window along rows or columns.
 double Window(double distance)
 {
     const double radius = kReach + 1.0;
     return std::abs(distance) < radius ? 1.0 - distance * distance / (radius * radius) : 0.0;
 }
 
-/// Integral of a pixel's window over a circle's extent along an axis, by the midpoint rule.
+/// Integral over a circle's extent, by midpoints.
 double SendersTo(int pixel, double middle, double half, double begin, double end)
 {
     constexpr int kSteps = 200;
@@ -156,7 +156,7 @@ double SendersTo(int pixel, double middle, double half, double begin, double end
     return std::max(1.0, sum * (to - from) / kSteps);
 }
 
-/// Inside the picture, and in its corner, which cuts off circles.
+/// The picture's corner cuts off circles.
 TEST(SpreadSums, SharesAreTheWindowOverThatOfAllPossibleSenders)
 {
     Random random(13);
@@ -226,8 +226,7 @@ TEST(SpreadSums, AreTheSameWithAllKernels)
     }
 }
 
-/// Spread estimate of a pixel in a picture of 3 by 3 blocks, whose samples' radiance is the squared distance of the point from the pixel's
-/// centre.
+/// In 3 by 3 blocks; a sample's radiance is its squared distance from the pixel's centre.
 double MeanSquareDistanceOf(int pixelX, int pixelY, float radius)
 {
     const LensFootprint lens(RoundLens(), Aperture::Disc(), 3.0 * kSide, 3.0 * kSide);
@@ -279,8 +278,8 @@ TEST(SpreadSums, SharpOrNonFiniteSamplesServeTheirOwnPixelAlone)
     EXPECT_EQ(sums->OwnShare(6, 5), 2.0f);
 }
 
-/// Samples received by blocks whose pixels each take two samples of the given radiance, all equally blurred.
-/// @param leftSamples  number of samples per pixel of the block to the left of the middle
+/// Two samples a pixel, all equally blurred.
+/// @param leftSamples samples per pixel in the left block
 std::shared_ptr<const PaddedSpread> Received(const LensFootprint& lens, float radius, const std::function<double(int, int, int)>& grey,
                                              int leftSamples = 2)
 {
@@ -362,7 +361,7 @@ TEST(PaddedSpread, PixelsThatReceivedNothingKeepTheirOwnMean)
     EXPECT_EQ(received->ownShare[PaddedBlock::At(10, 10)], 1.0f);
 }
 
-/// The middle block of an evenly blurred picture of noise, reconstructed with spread samples.
+/// A block of evenly blurred noise, reconstructed with spread samples.
 TEST(Reconstruction, SpreadSamplesRemoveMoreNoiseThanFilters)
 {
     const LensFootprint lens(RoundLens(), Aperture::Disc(), kWidth, kHeight);

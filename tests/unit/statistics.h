@@ -20,8 +20,7 @@ inline double Square(double x)
     return x * x;
 }
 
-/// Pearson's chi-square test: the probability that samples of these bin probabilities fit no better than the counts. 0 if a bin of
-/// probability 0 has a sample.
+/// Pearson: the probability that such samples fit no better. 0 if a bin of probability 0 has a sample.
 inline double ChiSquareP(const std::vector<double>& count, const std::vector<double>& probability)
 {
     double total = 0, chi = 0;
@@ -46,7 +45,6 @@ inline double ChiSquareP(const std::vector<double>& count, const std::vector<dou
     return boost::math::cdf(boost::math::complement(law, chi));
 }
 
-/// With equally likely bins.
 inline double ChiSquareP(const std::vector<double>& count)
 {
     return ChiSquareP(count, std::vector<double>(count.size(), 1.0 / static_cast<double>(count.size())));

@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Kernels that are compiled for AVX2 define no function that the linker might use in the rest of the program, where other processors run it:
-test_kernel_symbols COMPILER NM OBJECTS OBJECTS, the kernels as built and those built without optimisation; empty: none."""
+"""Kernels for AVX2 define no function that the linker might use elsewhere: test_kernel_symbols COMPILER NM OBJECTS OBJECTS, the kernels
+as built and without optimisation; empty: none."""
 
 import pathlib
 import subprocess
@@ -13,7 +13,7 @@ NAMESPACE = "9tilt_lens4avx2"
 
 
 def shared_symbols(nm, objects):
-    """Symbols that the objects define for the linker, outside the variant's namespace; as C++ names."""
+    """Outside the variant's namespace, as C++ names."""
     command = [nm, "--defined-only", "--extern-only", "--format=just-symbols", *objects]
     listed = subprocess.run(command, capture_output=True, text=True, check=True).stdout
     symbols = [line for line in listed.splitlines() if line and not line.endswith(":")]

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file tile_results.h
-/// Simple light, and the results of a tile, for the tests of the sampling loop.
+/// Simple light and a tile's results.
 
 #ifndef TILT_LENS_TESTS_TILE_RESULTS_H
 #define TILT_LENS_TESTS_TILE_RESULTS_H
@@ -21,7 +21,7 @@ inline Radiance Grey(double value)
     return {value, value, value, 0.0, 0.0};
 }
 
-/// An independent uniform number in (0, 1) for each sample.
+/// Each sample has a number in (0, 1).
 inline double Noise(const SampleId& id, std::uint32_t salt)
 {
     return (PixelHash(id.x, id.y, id.index, salt) + 0.5) * 0x1p-32;
@@ -42,13 +42,13 @@ inline void Constant(const SampleId&, SampleResult& light)
     light = Grey(0.7);
 }
 
-/// Independent noise of variance 1/12, on which stratification has no effect.
+/// Noise of variance 1/12, unaffected by stratification.
 inline void WhiteNoise(const SampleId& id, SampleResult& light)
 {
     light = Grey(Noise(id, 1));
 }
 
-/// A sharp slanted edge between black and white.
+/// A sharp slanted edge, black and white.
 inline void Edge(const SampleId& id, SampleResult& light)
 {
     const SequencePoint s = SequencePointOf(id);
@@ -74,7 +74,7 @@ inline std::vector<Result> ResultsOf(TileSampler& sampler, const Area& tile, con
     return results;
 }
 
-/// Results of a tile, the only rendered part of a picture of `width` by `height`.
+/// The tile is the only rendered part of `width` by `height`.
 inline std::vector<Result> ResultsOf(const SamplingLimits& limits, const Area& tile, std::uint32_t width, std::uint32_t height,
                                      const Tracer& trace)
 {
@@ -83,7 +83,7 @@ inline std::vector<Result> ResultsOf(const SamplingLimits& limits, const Area& t
     return ResultsOf(sampler, tile, trace);
 }
 
-/// Results of the block at (left, top) of a large picture.
+/// The block lies at (left, top) of a large picture.
 inline std::vector<Result> ResultsOf(const SamplingLimits& limits, std::uint32_t left, std::uint32_t top, const Tracer& trace)
 {
     return ResultsOf(limits, {left, top, settings.blockSide, settings.blockSide}, 4096, 4096, trace);

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The sampling loop: limits, independence of order, the stop rule, and its statistics.
+// Limits, independence of order, the stop rule, statistics.
 
 #include "tilt_lens/sampling/tile_sampler.h"
 
@@ -91,7 +91,7 @@ TEST(TileSamplerLimits, EverySampleIsTracedOnceAndCounted)
     EXPECT_DOUBLE_EQ(sampler.Statistics().variance, variance);
 }
 
-// a picture of 45 by 37 pixels: no multiple of a block
+// 45 by 37: no multiple of a block
 constexpr std::uint32_t kWidth = 45, kHeight = 37;
 
 struct Way
@@ -219,7 +219,7 @@ TEST(TileSamplerOrder, AnInterruptedStepStartsAgain)
 
 TEST(TileSamplerStop, EqualSamplesBesideAnEdgeAreNotTrusted)
 {
-    // pixels left and right of the one that the edge crosses see it through 3 % of the lens
+    // beside the edge's pixel: 3 % of the lens
     const auto trace = [](const SampleId& id, SampleResult& light)
     {
         const SequencePoint s = SequencePointOf(id);
@@ -338,8 +338,7 @@ TEST(SamplingStatistics, AddsUpAndHasQuantiles)
     EXPECT_EQ(huge.Samples(), 1ull << 51);
 }
 
-/// Pixels at the rim of a blurred lamp's disc see it through a small part of the lens, so most of them miss it with all first samples. They
-/// must not stay black beside others that hit it.
+/// Pixels at a blurred lamp's rim see it through a small part of the lens, and mostly miss it. They must not stay black.
 TEST(TileSampler, RimsOfBlurredLampsAreNotTorn)
 {
     constexpr double blur = 12.0, lamp = 3.0, brightness = 0.5, middle = 32.0;
@@ -362,7 +361,7 @@ TEST(TileSampler, RimsOfBlurredLampsAreNotTorn)
     for (int y = 0; y < 64; y++)
         for (int x = 0; x < 64; x++)
         {
-            // half of the lamp is visible at a distance of `blur`
+            // half of the lamp is visible at `blur`
             const double distance = std::hypot(x + 0.5 - middle, y + 0.5 - middle);
             if (distance < blur - 1.0 || distance > blur + 1.0)
                 continue;
@@ -373,7 +372,7 @@ TEST(TileSampler, RimsOfBlurredLampsAreNotTorn)
     EXPECT_LE(20 * black, rim) << black << " of " << rim;
 }
 
-/// Samples per pixel of a block's first round, if this many of its columns are noise.
+/// A block's first round, with so many noisy columns.
 std::uint32_t FirstRoundOf(const SamplingLimits& limits, std::uint32_t noisyColumns)
 {
     std::uint32_t most = 0;
@@ -405,7 +404,6 @@ TEST(TileSampler, FirstRoundsAreLongerWhereManyPixelsAreFarFromConvergence)
     EXPECT_EQ(FirstRoundOf(Limits(4, 64, 1e-4), settings.blockSide), 4u);  // no reconstruction
 }
 
-// the figures of docs/sampling.md, section 7
 TEST(BlockCache, MemoryOfABlock)
 {
     const double pixels = settings.blockSide * settings.blockSide;

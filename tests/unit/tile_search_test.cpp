@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// A pixel's search for features that its neighbours hit, and for emitters at which it aims samples.
+// Search for features hit by neighbours, and emitters to aim at.
 
 #include "tilt_lens/sampling/tile_sampler.h"
 
@@ -16,13 +16,13 @@ namespace tilt_lens
 namespace
 {
 
-/// A black line that covers a sixteenth of each pixel of a row.
+/// The line covers a sixteenth of its pixels.
 void LineAlongRow(const SampleId& id, SampleResult& light)
 {
     light = Grey(id.y == settings.blockSide / 2 && SequencePointOf(id).pixelY < 1.0 / 16.0 ? 0.0 : 1.0);
 }
 
-// Three adjacent pixels may all have missed it with eight samples; then their samples show no difference.
+// If three adjacent pixels miss it with eight samples, nothing shows it.
 TEST(TileSamplerSearch, FindsAThinLineThatNeighboursMissedAtLowVariance)
 {
     const std::uint32_t width = 32 * settings.blockSide;
@@ -33,7 +33,7 @@ TEST(TileSamplerSearch, FindsAThinLineThatNeighboursMissedAtLowVariance)
     EXPECT_LE(results[0].samples, 256u);  // but not without limit, far from the line
 }
 
-/// Every fourth sample is aimed at an emitter of this expected emission and hits an object in front of it.
+/// Every fourth is aimed at an emitter hidden by an object.
 Tracer HiddenLamp(double light)
 {
     return [light](const SampleId& id, SampleResult& traced)
@@ -57,7 +57,7 @@ TEST(TileSamplerSearch, SearchForAHiddenLampGrowsWithItsLight)
     EXPECT_EQ(SamplesForHiddenLamp(0.02, 1e-3), 8u);
     EXPECT_GT(SamplesForHiddenLamp(0.2, 1e-3), 8u);
     EXPECT_LT(SamplesForHiddenLamp(0.2, 1e-3), 64u);
-    // after sixteen misses any emitter is taken for hidden
+    // after sixteen misses an emitter counts as hidden
     EXPECT_EQ(SamplesForHiddenLamp(1.0, 1e-5), 64u);
     EXPECT_EQ(SamplesForHiddenLamp(100.0, 1e-5), 64u);
 }

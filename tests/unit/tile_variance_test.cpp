@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The error of sampled pictures with known pixels against the requested variance.
+// Errors of known pixels against the requested variance.
 
 #include "tilt_lens/sampling/convergence.h"
 #include "tilt_lens/sampling/tile_sampler.h"
@@ -32,7 +32,7 @@ double Half(std::uint32_t, std::uint32_t)
     return 0.5;
 }
 
-/// Fraction of the lens that sees the bright side, pixel by pixel: a blurred edge.
+/// Fraction of the lens that sees the bright side.
 double BlurredEdgeMean(std::uint32_t x, std::uint32_t)
 {
     return std::min(1.0, (x % 64 + 0.5) / 64.0);
@@ -49,21 +49,21 @@ double LinearMean(std::uint32_t x, std::uint32_t)
     return 0.5 + 0.5 * ((x % 8) - 3.5) / 8.0;
 }
 
-/// Smooth light, the best case of stratified samples.
+/// The best case of stratified samples.
 void Linear(const SampleId& id, SampleResult& light)
 {
     const SequencePoint s = SequencePointOf(id);
     light = Grey(0.5 + 0.5 * ((id.x % 8) - 3.5) / 8.0 + 0.4 * (s.lensU + s.lensV - 1.0) + 0.2 * (s.pixelX - 0.5));
 }
 
-/// A strongly blurred checker board: half of the lens sees white, in small squares.
+/// Half of the lens sees white, in small squares.
 void Checker(const SampleId& id, SampleResult& light)
 {
     const SequencePoint s = SequencePointOf(id);
     light = Grey((int(s.lensU * 6) + int(s.lensV * 6)) % 2 ? 1.0 : 0.0);
 }
 
-/// One percent of the lens sees a lamp, elsewhere in each pixel.
+/// One percent of the lens, elsewhere in each pixel.
 void Lamp(const SampleId& id, SampleResult& light)
 {
     const SequencePoint s = SequencePointOf(id);
@@ -154,8 +154,7 @@ TEST_P(RequestedVariance, IsNearlyUsedUpByIndependentNoise)
     EXPECT_GE(ReportedScoreOf(kPictures[0], GetParam()).MeanErrorAboveMin(), GetParam() / 4);
 }
 
-// A round doubles the samples. In smooth light that divides the variance by eight, so the last round may be far better than necessary;
-// otherwise it must not be.
+// Doubling divides smooth light's variance by eight, so the last round may overshoot there only.
 TEST_P(RequestedVariance, IsNearlyUsedUpByStratifiedSamples)
 {
     for (const Picture& picture : kPictures)
@@ -168,7 +167,7 @@ TEST_P(RequestedVariance, IsNearlyUsedUpByStratifiedSamples)
     }
 }
 
-// The first samples of most pixels and their neighbours miss the lamp, but spread samples reveal it.
+// First samples miss the lamp, spread samples reveal it.
 TEST_P(RequestedVariance, IsKeptWhereOneSampleInAHundredMatters)
 {
     const Score s = ReportedScoreOf(kLamp, GetParam());
@@ -176,7 +175,6 @@ TEST_P(RequestedVariance, IsKeptWhereOneSampleInAHundredMatters)
     EXPECT_LE(s.Beyond(), 0.05);
 }
 
-/// Strong noise in every fourth column.
 void Columns(const SampleId& id, SampleResult& light)
 {
     light = Grey(0.5 + (id.x % 4 == 0 ? 0.8 : 0.08) * (Noise(id, 1) - 0.5));

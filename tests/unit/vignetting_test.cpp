@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Vignetting: closed forms, and unbiased samples of the open part.
+// Closed forms; unbiased samples of the open part.
 
 #include "tilt_lens/camera/vignetting.h"
 
@@ -17,7 +17,7 @@ namespace tilt_lens
 namespace
 {
 
-/// Film of 36 by 24 mm, 50 mm from the lens; focused so far away that all rays of a film point are parallel.
+/// 36 by 24 mm, 50 mm away; parallel rays of a film point.
 std::shared_ptr<const Lens> LensOf(double tilt = 0.0, double shiftRight = 0.0, double fStop = 2.0)
 {
     Statement given;
@@ -62,7 +62,7 @@ TEST(NaturalVignetting, IsTheFourthPowerOfTheCosine)
     }
 }
 
-/// Light from a small patch of a turned lens to a shifted film: cosines at both ends over the squared distance.
+/// A small patch: cosines at both ends over the squared distance.
 TEST(NaturalVignetting, HasTheTrueAnglesAndDistances)
 {
     const auto lens = LensOf(8.0, 10.0);
@@ -70,7 +70,7 @@ TEST(NaturalVignetting, HasTheTrueAnglesAndDistances)
     const double s = lens->filmDistance, sine = std::sin(8.0 * M_PI / 180.0), cosine = std::cos(8.0 * M_PI / 180.0);
     const auto light = [&](const FilmPoint& film)
     {
-        // from the film point, upside down behind the lens, to the lens centre
+        // behind the lens, upside down, to its centre
         const Vec3 way{36.0 * film.x + 10.0, 24.0 * film.y, s}, filmNormal{0.0, 0.0, 1.0}, lensNormal{0.0, -sine, cosine};
         const double distance = Length(way);
         return Dot(way, filmNormal) / distance * Dot(way, lensNormal) / distance / (distance * distance);
@@ -80,7 +80,7 @@ TEST(NaturalVignetting, HasTheTrueAnglesAndDistances)
     EXPECT_GT(vignetting.Brightness({-0.2, 0.0}), 1.0) << "nearer to the axis than the middle of the shifted frame";
 }
 
-/// Common area of two unit circles at this distance, relative to the area of one.
+/// Common area of unit circles, relative to that of one.
 double Overlap(double apart)
 {
     const double half = 0.5 * apart;
@@ -129,7 +129,7 @@ TEST(OpticalVignetting, PassesRaysWithinTheRim)
     EXPECT_GT(covered, 300);
 }
 
-/// The mean of f over the open part, by samples drawn in it and by rejection from the whole aperture.
+/// Samples in it, and rejection from the whole aperture.
 TEST(OpticalVignetting, SamplesAreUnbiased)
 {
     const auto f = [](const AperturePoint& p) { return 1.0 + p.a + 0.5 * p.b * p.b; };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file with_kernels.h
-/// Runs a test's code with each variant of the kernels.
+/// Runs code with each variant of the kernels.
 
 #ifndef TILT_LENS_TESTS_WITH_KERNELS_H
 #define TILT_LENS_TESTS_WITH_KERNELS_H
@@ -18,7 +18,7 @@ inline bool HasSeveralVariants()
     return kernels != &plain::kKernels;
 }
 
-/// Result of a function while the plain kernels replace those of this processor.
+/// Runs with the plain kernels.
 template<class Function>
 auto WithPlainKernels(const Function& function)
 {

@@ -98,7 +98,7 @@ def parser():
 
 
 def finish(work, description):
-    """Puts remaining pictures together and makes the contact sheet. Returns complaints."""
+    """Joins pictures and makes the contact sheet. Returns complaints."""
     bands = len(description["key"]["bands"])
     complaints = []
     for name in work.names("running"):  # of killed workers: none is running any more
@@ -136,7 +136,7 @@ def make_sheet(work, description):
 
 
 def work_through(work, description, settings, engine):
-    """Runs rounds of tasks until no missing unit is worth another try."""
+    """Until no missing unit is worth another try."""
     line = progress.Progress(work, description, settings.quiet)
     complaints = []
     for _ in range(1 + settings.retries):
@@ -156,7 +156,7 @@ def work_through(work, description, settings, engine):
 
 
 def tasks_of(description, missing, settings, engine):
-    """Short units together, so that a task is worth seconds, but enough tasks for all workers."""
+    """A task is worth seconds, with enough tasks for all workers."""
     estimate, bands = description["estimate"], len(description["key"]["bands"])
     seconds = estimate["picture"] / bands + estimate["start"]
     parallel = engine.workers(settings, description["threads"])
@@ -189,7 +189,7 @@ def report(work, description, complaints, elapsed):
 
 
 def afterwards(work, description, command):
-    """The user's command after a complete batch; returns 1 if it fails."""
+    """The user's command; returns 1 if it fails."""
     if not command:
         return 0
     names = {"BATCH_OUTPUT": description["output"], "BATCH_WORK": str(work.folder)}
@@ -233,7 +233,6 @@ def batch(settings, words):
 
 
 def watch(work, jobs, settings):
-    """Waits for the jobs of an earlier call before planning missing units."""
     with slurm.interrupted_alone(jobs):
         print(f"jobs {' '.join(jobs)} of an earlier call are still at work: waiting for them", file=sys.stderr)
         slurm.wait(jobs, progress.Progress(work, read_json(work.description), settings.quiet))
@@ -248,7 +247,6 @@ def last_step(folder):
 
 
 def main(words):
-    """A user's mistake is reported in one message."""
     if words[:1] == ["task"]:
         return task.run(words[1], int(words[2]))
     if words[:1] == ["finish"]:

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Creates the description of a new batch, or resumes that of an earlier call if nothing has changed."""
+"""Creates a batch's description, or resumes an unchanged one."""
 
 import contextlib
 import math
@@ -42,7 +42,7 @@ class Request:
         self.program = program
 
     def picture_kind(self):
-        """ "png" or "exr", from +F and the output's name, which must agree."""
+        """From +F and the output's name, which must agree."""
         asked = self.inputs.options.kind
         named = None
         if self.kind == "still" and self.settings.output:
@@ -54,7 +54,6 @@ class Request:
         return asked or named or "png"
 
     def place(self, folder, stem):
-        """Output folder, stem of the pictures' names, work folder."""
         default = {"still": f"{stem}.{self.extension}", "film": f"{stem}_film", "sweep": f"{stem}_sweep"}[self.kind]
         output = os.path.abspath(os.path.join(folder, self.settings.output or default))
         self.stem = stem
@@ -87,7 +86,7 @@ class Request:
         }
 
     def changeable(self):
-        """Settings that may differ from call to call without changing pixels."""
+        """Settings that do not change pixels."""
         return {
             "threads": self.threads,
             "retries": self.settings.retries,
@@ -123,7 +122,7 @@ def understood(settings, words):
 
 
 def take_up(work, request, stored):
-    """The stored description, if everything in its key is unchanged."""
+    """None unless its key is unchanged."""
     old, new = stored["key"], request.key()
     if stored["hash"] != keys.key_hash(old):
         raise BatchError(f"{str(work.description)!r} is damaged. Start over with --anew.")
@@ -146,7 +145,7 @@ def take_up(work, request, stored):
 
 
 def changed_by_units(work):
-    """Changes in files that only some units read, such as an include file of one frame."""
+    """Changed files that only some units read."""
     known = {}
     for name in sorted(work.names("done")):
         record = read_json(work.record("done", name)) or {"read": {}, "missing": []}
@@ -157,7 +156,6 @@ def changed_by_units(work):
 
 
 def begin(work, request, engine):
-    """Probes the scene and chooses the bands."""
     description = request.description()
     key = description["key"]
     work.make()
@@ -198,8 +196,7 @@ def has_jobs(folder):
 
 
 def leave_output(work, description):
-    """Removes the lock that a call left for its jobs. Called by the last job; a waiting call removes its lock
-    itself."""
+    """Called by the last job; a waiting call removes its lock itself."""
     key, own = description["key"], str(work.folder)
     path = lock_of_output(key["kind"], description["output"], key["pictures"])
     if path.exists():
@@ -209,7 +206,7 @@ def leave_output(work, description):
 
 @contextlib.contextmanager
 def output_alone(work, request):
-    """Refuses a second batch that would write the same pictures at the same time."""
+    """Only one batch may write the same pictures at a time."""
     output_can_be_written(request.output)
     path = lock_of_output(request.kind, request.output, request.pictures)
     with output_lock(path, work.folder, has_jobs) as other:
@@ -222,7 +219,7 @@ def output_alone(work, request):
 
 
 def choose_bands(request, probe, size, engine):
-    """As requested, or enough to keep the workers busy while each band is worth its start."""
+    """As requested, or enough for the workers while each band is worth its start."""
     asked, count = request.settings.bands, len(request.pictures)
     if asked == 1:
         return {"picture": 0.0, "start": 0.6}, 1
@@ -249,7 +246,6 @@ def choose_bands(request, probe, size, engine):
 
 
 def refuse_foreign(work):
-    """Foreign contents are neither overwritten nor removed."""
     if work.folder.exists():
         foreign = sorted(set(os.listdir(work.folder)) - work.names_in_it())
         if foreign:
@@ -273,7 +269,6 @@ def open_batch(work, request, engine):
 
 
 def forget(work, description, pictures):
-    """Discards the results of some pictures, which are then rendered again."""
     bands = len(description["key"]["bands"])
     for picture in pictures:
         work.record("merged", f"{picture:05d}").unlink(missing_ok=True)
@@ -283,7 +278,7 @@ def forget(work, description, pictures):
 
 
 def drop_lost(work, description):
-    """Discards records whose files are gone: pictures moved by the user, parts lost by a disk."""
+    """Records whose files are gone: pictures moved by the user, parts lost by a disk."""
     bands = len(description["key"]["bands"])
     for state in ("failed", "running"):
         for name in work.names(state):
@@ -301,7 +296,6 @@ def drop_lost(work, description):
 
 
 def unit_is_there(work, name):
-    """True if a done unit's files have the recorded sizes."""
     record = read_json(work.record("done", name))
     if record is None:
         return False

@@ -1,10 +1,9 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The key of a batch: everything that its pixels depend on, and the differences between two keys.
+"""The key of a batch: all that its pixels depend on.
 
-POV-Ray lists every file that it reads and every file that it looks for in vain (TILT_LENS_FILE_LIST). The key holds those of the first
-render with a hash of each; a unit's record holds those that it needed in addition, such as an include file of one frame. A part is reused
-only if every file is unchanged and none has appeared where POV-Ray looked first."""
+POV-Ray lists files that it reads or looks for in vain (TILT_LENS_FILE_LIST). The key hashes those of the first render, a unit's record
+those in addition. A part is reused only if every file is unchanged and none has appeared where POV-Ray looked."""
 
 import hashlib
 import json
@@ -14,7 +13,7 @@ from tools.batch.store import BatchError, sha256
 
 
 class Links:
-    """Links under inputs/ to the user's paths. POV-Ray sees only these names, so that the paths may contain any characters."""
+    """Links under inputs/ to the user's paths, which may contain any characters."""
 
     UP = "../../inputs/"  # as seen from a unit's folder
 
@@ -31,8 +30,7 @@ class Links:
             link.symlink_to(target)
 
     def real(self, name):
-        """The user's path of a name that POV-Ray used; None for a file in the unit's own folder. The user's symbolic links are not
-        resolved: the path counts, with the contents that it leads to."""
+        """The user's path, links unresolved: the path counts, with its contents. None for a file in the unit's folder."""
         if name.startswith(self.UP):
             link, _, rest = name[len(self.UP) :].partition("/")
             if link in self.targets:
@@ -42,7 +40,7 @@ class Links:
 
 
 def listed_files(path, links):
-    """The user's files in POV-Ray's list: (read, missing)."""
+    """(read, missing), of the user's files."""
     try:
         entries = path.read_bytes().split(b"\0")
     except FileNotFoundError:
@@ -66,8 +64,8 @@ def file_stamp(path):
 
 
 def change_stamps(paths):
-    """Path -> stamp that differs after any change of a file or its name, None for no file. Includes the time of the
-    last change of the directory entry, which even restored contents and times do not set back."""
+    """Path -> stamp, None for no file. Includes the change time of the directory entry, which restored contents and times do not set
+    back."""
     stamps = {}
     for path in paths:
         try:
@@ -78,8 +76,7 @@ def change_stamps(paths):
 
 
 def changed_since(path, before, moment):
-    """True if a file may have changed since its stamp was taken. Without a stamp: since a moment (seconds of the
-    epoch) by the file system's clock, which may be some milliseconds late."""
+    """Without a stamp: since a moment (seconds of the epoch) by the file system's clock, which may be milliseconds late."""
     if path in before:
         return change_stamps([path]) != {path: before[path]}
     return os.stat(path).st_ctime_ns > (moment - 0.02) * 1e9
@@ -94,7 +91,6 @@ def key_hash(key):
 
 
 def changed_files(files, missing):
-    """One line each, for the user."""
     for path, old in sorted(files.items()):
         try:
             new = sha256(path)
@@ -132,7 +128,7 @@ def short(value):
 
 
 def first_difference(these, those):
-    """Length of a list, and its first element that is not in the other list."""
+    """Length of a list, and its first element that the other lacks."""
     other = [item for item in these if item not in those]
     first = other[0] if other else None
     told = f", among them {first['name'] if isinstance(first, dict) else first}" if first else ""
@@ -140,7 +136,6 @@ def first_difference(these, those):
 
 
 def changed_settings(old, new):
-    """Changes of the other settings, one line each, for the user."""
     for name, text in TEXTS.items():
         if old.get(name) != new.get(name):
             was, now = old.get(name), new.get(name)

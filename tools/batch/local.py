@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Runs tasks on this machine with GNU parallel, one worker per core."""
+"""Runs tasks with GNU parallel, one worker per core."""
 
 import os
 import shutil
@@ -25,7 +25,7 @@ def check():
 
 def invocation(work, description, settings):
     count = workers(settings, description["threads"])
-    # exec makes parallel the worker's parent; names reach the shell through the environment, so that they may contain any characters
+    # exec makes parallel the worker's parent; names pass through the environment, because they may contain any characters
     command = [
         "parallel",
         "--plain",  # ignores ~/.parallel/config
@@ -51,8 +51,7 @@ def invocation(work, description, settings):
 
 
 def run(work, description, tasks, settings, progress):
-    """Every process dies with its parent, down to POV-Ray, so that neither Ctrl-C nor the death of this process
-    leaves any running."""
+    """Every process dies with its parent, so that Ctrl-C leaves none."""
     command, env = invocation(work, description, settings)
     with open(work.logs / "parallel.log", "ab") as log:
         process = subprocess.Popen(
@@ -70,7 +69,7 @@ def run(work, description, tasks, settings, progress):
 
 
 def end(process):
-    """The kernel ends parallel's workers and their POV-Rays with it."""
+    """The kernel ends workers and POV-Rays with it."""
     process.send_signal(signal.SIGKILL)
     process.wait()
     time.sleep(0.3)  # until the last of them has ended

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Extends a film by more frames: finished frames are kept if nothing in them depends on the length of the film."""
+"""Extends a film: frames stay if nothing in them depends on its length."""
 
 import re
 import struct
@@ -10,10 +10,9 @@ from tools.batch.plan import read_ini
 from tools.batch.store import read_json
 from tools.focus import scene_text
 
-# declared by POV-Ray in an animation and computed from the last frame; `clock` is compared by its values
+# by POV-Ray, from the last frame; `clock` is compared by values
 LENGTHS = re.compile(r"\b(final_frame|final_clock|clock_delta)\b")
 CLOCK = re.compile(r"\bclock\b")
-# POV-Ray's options for the clock of the first and of the last frame
 FIRST = re.compile(r"\+KI(.*)|Initial_Clock\s*=(.*)", re.IGNORECASE)
 LAST = re.compile(r"\+KF(.*)|Final_Clock\s*=(.*)", re.IGNORECASE)
 CYCLIC = re.compile(r"[+-]KC|Cyclic_Animation\s*=.*", re.IGNORECASE)
@@ -26,7 +25,7 @@ def single(value):
 
 
 class Clock:
-    """The clock of each frame of a film, as POV-Ray computes it."""
+    """The clock of each frame, as POV-Ray computes it."""
 
     def __init__(self, words, frames):
         self.first, self.last, self.frames = 0.0, 1.0, frames
@@ -45,18 +44,16 @@ class Clock:
             return 0.0
 
     def of(self, frame):
-        """The clock of a frame, counted from 1."""
         step = single(self.last - self.first) / (self.frames - 1)
         return single(step * (frame - 1) + self.first)
 
 
 def without_clock(words):
-    """The options without those of the clock."""
     return [word for word in words if not (FIRST.fullmatch(word) or LAST.fullmatch(word))]
 
 
 def code_of(path):
-    """The contents of a file that POV-Ray read, if it is code; others match a pattern only by chance."""
+    """If it is code; others match a pattern by chance."""
     try:
         with open(path, encoding="latin-1") as stream:
             return scene_text.blanked(stream.read())
@@ -78,7 +75,7 @@ def sets_clock(inputs):
 
 
 def objection(work, old, new, inputs):
-    """Reason why the frames would differ in the longer film; None if they would not."""
+    """Why frames would differ in the longer film, or None."""
     frames = len(new["pictures"])
     code = {path: code_of(path) for path in files_of(work, old)}
     for path, text in code.items():

@@ -16,7 +16,6 @@ from tools.batch.store import BatchError, little_room, read_json, sha256, sync_f
 
 
 def oiiotool(folder, arguments):
-    """Runs oiiotool; raises its complaints."""
     done = subprocess.run(
         povray.ending_with_parent(["oiiotool", *arguments]), cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, check=False
     )
@@ -27,7 +26,7 @@ def oiiotool(folder, arguments):
 
 
 def band_records(work, key, picture):
-    """Records of a picture's bands. Forgets a band whose files differ from its record, so that it is rendered again."""
+    """A band whose files differ from its record is rendered again."""
     records = []
     for band in range(len(key["bands"])):
         name = unit_name(picture * len(key["bands"]) + band, len(key["bands"]))
@@ -44,7 +43,7 @@ def band_records(work, key, picture):
 
 
 def join(folder, bands, width, target):
-    """Crops each band's rows from its full frame and pastes them, all channels, with exact values."""
+    """Pastes each band's rows, all channels, exact values."""
     words = ["--no-autopremult", "--nosoftwareattrib"]
     for path, (first, last) in bands:
         words += [path, "--crop", f"{width}x{last - first + 1}+0+{first - 1}"]
@@ -52,7 +51,6 @@ def join(folder, bands, width, target):
 
 
 def paste(work, key, records, rest, target):
-    """Joins one file of each band and checks the result."""
     width, height = key["size"]
     paths = [f"{name}/{record['files'][rest]['file']}" for name, record in records]
     join(work.units, list(zip(paths, key["bands"])), width, target)
@@ -66,7 +64,7 @@ def paste(work, key, records, rest, target):
 
 
 def deliver(source, target):
-    """In one step, without a copy if that is on the same file system."""
+    """In one step, without a copy on the same file system."""
     target.parent.mkdir(parents=True, exist_ok=True)
     new = target.parent / f".new.{os.getpid()}.{source.name}"
     try:
@@ -83,7 +81,7 @@ def deliver(source, target):
 
 
 def merged_files(work, key, picture):
-    """Complete files of a picture in the work folder: rest of the name -> (path, hash of the pixels)."""
+    """Rest of the name -> (path, hash of the pixels)."""
     records = band_records(work, key, picture)
     rests = set(records[0][1]["files"])
     for name, record in records:
@@ -102,7 +100,6 @@ def merged_files(work, key, picture):
 
 
 def merge_picture(work, description, picture):
-    """Joins and delivers one picture, unless that is done."""
     if is_merged(work, description, picture):
         return
     key = description["key"]
@@ -126,7 +123,7 @@ def free_space(work, key, picture):
 
 @functools.lru_cache(maxsize=None)
 def hash_now(path, *_):
-    """Computed once per process while the file's stamp stays."""
+    """Once per process while the file's stamp stays."""
     return sha256(path)
 
 

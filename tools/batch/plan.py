@@ -1,9 +1,9 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""From a command line to the description of a batch: scene, inputs, pictures, bands, units, tasks.
+"""From a command line to a batch: scene, inputs, pictures, bands, units, tasks.
 
-A picture is one output file; a band is a range of its rows; a unit is one band of one picture, the smallest part that is rendered, kept and
-repeated. A task is a sequence of units for one worker."""
+A picture is one output file; a band is a range of its rows; a unit is one band of one picture, rendered, kept and repeated as a whole. A
+task is a sequence of units."""
 
 import decimal
 import itertools
@@ -29,7 +29,7 @@ def safe_name(path, fallback):
 
 
 def chosen(text, last):
-    """Picture indices (from 0) of the frame numbers in --only, such as 5-8,12."""
+    """Indices (from 0) of the frames of --only, such as 5-8,12."""
     found = set()
     for part in text.split(","):
         match = re.fullmatch(r"(\d+)(?:-(\d+))?", part.strip())
@@ -112,8 +112,8 @@ def pictures(kind, stem, extension, frames=1, sets=()):
 
 
 def cut_bands(height, count):
-    """Rows of each band, from 1, inclusive. Up to one band per block, cuts lie between POV-Ray's blocks; beyond that anywhere, except that
-    the first band has two rows, because +SR1 +ER1 means all rows to POV-Ray."""
+    """From 1, inclusive. Cuts lie between POV-Ray's blocks unless bands are more; the first band has two rows, because +SR1 +ER1 means
+    all rows to POV-Ray."""
     step = BLOCK if count <= -(-height // BLOCK) else 1
     blocks = -(-height // step)
     count = max(1, min(count, blocks if step > 1 else height - 1))
@@ -129,7 +129,7 @@ def unit_name(number, bands):
 
 
 def read_ini(path):
-    """Text of an ini file. Refuses commands in it, which would run once per band."""
+    """Refuses commands, which would run once per band."""
     with open(path, encoding="utf-8", errors="surrogateescape") as stream:
         text = stream.read()
     command = re.search(r"^\s*(\w+_(?:Scene|Frame)_Command|\w+_Command)\s*=", text, re.IGNORECASE | re.MULTILINE)
@@ -141,7 +141,7 @@ def read_ini(path):
 
 
 def main_ini(program, folder):
-    """POV-Ray's choice of its main ini file, made once for all machines: the file, and the files looked for before it."""
+    """POV-Ray's choice, made once for all machines; and the files looked for before it."""
     prefix = os.path.dirname(os.path.dirname(os.path.realpath(program)))
     named = os.environ.get("POVINI")
     candidates = [named] if named else []
@@ -154,8 +154,7 @@ def main_ini(program, folder):
 
 
 class Inputs:
-    """Search path of a scene's files, as in ./render: the current folder, those of the ini file, the project's include folder, the scene's
-    folder, those of +L."""
+    """As in ./render: the current folder, those of the ini file, include folder, scene's folder, +L."""
 
     def __init__(self, scene, folder, words, program, repository):
         self.scene = os.path.join(folder, scene)
@@ -182,14 +181,13 @@ class Inputs:
         self.links = Links(targets)
 
     def add_ini(self, i, ini, targets):
-        """Adds an ini file from the options."""
         if not os.path.isfile(ini):
             raise BatchError(f"there is no ini file {ini!r}.")
         read_ini(ini)
         targets[f"options{i}.ini"] = ini
 
     def write(self, work):
-        """The ini file that POV-Ray reads first: the user's, after the user's current folder."""
+        """The user's ini file, after the user's current folder."""
         self.links.make(work.inputs)
         text = f'Library_Path="{Links.UP}here"\n'
         if self.ini:

@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""POV-Ray's options as given to a batch. Refuses those that the batch sets itself, makes file names independent of the current folder, and
-determines the kind of picture."""
+"""POV-Ray's options of a batch: refuses those that the batch sets, makes file names absolute."""
 
 import os
 import re
@@ -50,15 +49,14 @@ FORMATS = {"N": "png", "E": "exr"}
 
 
 def unquoted(text):
-    """The text without the quotation marks that POV-Ray needs around a name with spaces."""
+    """POV-Ray needs quotation marks around spaces."""
     if len(text) > 1 and text[0] == text[-1] and text[0] in "\"'":
         return text[1:-1]
     return text
 
 
 class PovOptions:
-    """The options by kind. `words` go to POV-Ray in this order, because later options override earlier ones; `libraries` and `inis` name
-    files. In `words` an ini file has the name of its link, options0.ini and so on."""
+    """`words` keep their order, because later options override earlier ones; an ini file has its link's name there."""
 
     def __init__(self, words):
         self.words, self.libraries, self.inis = [], [], []
@@ -130,7 +128,6 @@ class PovOptions:
         self.threads = int(value)
 
     def named_files(self, folder):
-        """Absolute paths of folders and ini files in the options."""
         for library in self.libraries:
             yield os.path.join(folder, library)
         for ini in self.inis:

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Runs POV-Ray on a part of a picture, and keeps its state file fit for continuing."""
+"""Runs POV-Ray on a part of a picture, with a state file fit for continuing."""
 
 import os
 import re
@@ -19,7 +19,7 @@ PAGE = 4096
 
 
 def ending_with_parent(command):
-    """The kernel kills the command when this process dies."""
+    """The kernel kills the command with this process."""
     return ["setpriv", "--pdeathsig", "KILL", *command]
 
 
@@ -61,7 +61,6 @@ def arguments(description, picture, rows, size=None):
 
 
 def environment(links):
-    """The user's environment with the batch's ini file, include folder and file list."""
     included = {"POVINC": f"../../inputs/{POVINC}"} if POVINC in links else {}
     return povray_run.user_environment(POVINI="../../inputs/povray.ini", TILT_LENS_FILE_LIST="files", **included)
 
@@ -71,8 +70,8 @@ def state_file(folder):
 
 
 def whole_length(data, trusted):
-    """Length in bytes of the complete messages of a state file. If the machine stopped since (not `trusted`), pages that never reached the
-    disk read as zeros; the first such page ends the result."""
+    """Bytes of complete messages. After a stop of the machine (not `trusted`), pages that never reached the disk read as zeros, and end
+    the result."""
     end = len(data)
     if not trusted:
         pages = (at for at in range(STATE_HEADER - STATE_HEADER % PAGE, end, PAGE) if not any(data[max(at, STATE_HEADER) : at + PAGE]))
@@ -81,8 +80,7 @@ def whole_length(data, trusted):
 
 
 def prepare_state(folder):
-    """Truncates the state file to its reliable part; returns its length in bytes, 0 if there is nothing to continue
-    from."""
+    """Returns its reliable length, 0 for none."""
     path = state_file(folder)
     if path is None:
         return 0
@@ -97,14 +95,14 @@ def prepare_state(folder):
 
 
 def clear_output(folder, also_state=False):
-    """Removes files of an earlier try: POV-Ray would take a truncated picture for a finished one."""
+    """POV-Ray would take a truncated picture for a finished one."""
     for path in folder.glob(f"{PICTURE}*"):
         if also_state or path.suffix != ".pov-state":
             path.unlink()
 
 
 def start(description, folder, words, log, lock=None):
-    """Starts POV-Ray in the folder. It inherits the unit's lock, which keeps other tries from starting."""
+    """It inherits the unit's lock, which excludes other tries."""
     write_json(folder / "boot.json", boot())
     with open(log, "ab") as stream:
         return subprocess.Popen(
@@ -119,7 +117,7 @@ def start(description, folder, words, log, lock=None):
 
 
 def outputs(folder):
-    """Pictures in the folder: rest of the name after "picture" and frame number -> file."""
+    """Rest of the name after "picture" and frame number -> file."""
     found = {}
     for path in sorted(folder.glob(f"{PICTURE}*")):
         if path.suffix in (".png", ".exr"):

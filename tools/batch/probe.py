@@ -1,10 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Probes a scene before the batch: parsing, files, size, time, and whether pixels depend on the rows that are rendered
-together.
+"""Probes a scene before the batch: parsing, files, size, time, dependence of pixels on the rendered rows.
 
-Only the last needs more than one small render. Radiosity and stock's jittered area lights depend on the rows; the
-samples of a tilt_lens picture never do."""
+Radiosity and stock's jittered area lights depend on the rows; tilt_lens pictures do not."""
 
 import itertools
 import re
@@ -20,8 +18,6 @@ SMALL_COLUMNS = 128
 
 
 class Probe:
-    """Small renders in folders of their own, one after another."""
-
     def __init__(self, work, description, picture):
         self.work, self.description, self.picture = work, description, picture
         self.read, self.missing = set(), set()
@@ -58,7 +54,7 @@ class Probe:
         return folder, text, seconds
 
     def wait(self, process, log):
-        """Waits for a small render, tells the user if it takes long, and ends it at the time limit of units."""
+        """Up to the time limit of units."""
         begun, limit = time.monotonic(), self.description["limit"]
         for pause in itertools.chain((5, 25, 90), itertools.repeat(600)):
             spent = time.monotonic() - begun
@@ -74,7 +70,7 @@ class Probe:
             print(f"first look at the scene: {spent:.0f} s so far; log: {log}.{hint}", file=sys.stderr)
 
     def picture_size(self):
-        """From a render of two pixels, whose file list goes into the key."""
+        """By two pixels, whose file list goes into the key."""
         folder, _, _ = self.render("whole", (1, 2))
         return povray.image_info(self.output(folder))["size"]
 
@@ -87,7 +83,7 @@ class Probe:
         return [max(2, min(SMALL_COLUMNS, round(size[0] * rows / size[1]))), rows]
 
     def estimate(self, size):
-        """Seconds for one whole picture, and seconds for each start of POV-Ray (parsing, photons)."""
+        """Seconds: a whole picture, and each start of POV-Ray."""
         small = self.small_size(size)
         self.small = self.render("small", (1, small[1]), small)
         _, text, seconds = self.small
@@ -96,7 +92,7 @@ class Probe:
         return {"picture": processor * pixels / self.description["threads"], "start": max(0.1, seconds - wall)}
 
     def seam(self, size, aligned):
-        """True if the small picture changes when it is cut in two, as it would be in bands."""
+        """True if cuts change the small picture."""
         small = self.small_size(size)
         cut = 32 if aligned else 19
         if small[1] <= cut or re.search(r"^Tilt Lens Sampling", self.small[1], re.MULTILINE):
@@ -111,18 +107,16 @@ class Probe:
         return povray.image_info(joined)["pixels"] != povray.image_info(self.output(self.small[0]))["pixels"]
 
     def radiosity(self):
-        """True if the scene uses radiosity, by POV-Ray's statistics."""
         return bool(re.search(r"^Radiosity", self.small[1], re.MULTILINE))
 
 
 def trace_seconds(text):
-    """ "Trace Time" of the statistics: elapsed, and processor time, which other programs do not disturb."""
+    """Elapsed and processor time ("Trace Time")."""
     found = re.findall(r"Trace Time:.*?\(([0-9.]+) seconds\)\s+using.*?with ([0-9.]+) CPU-seconds", text)
     return (float(found[-1][0]), float(found[-1][1])) if found else (0.0, 0.0)
 
 
 def told(text):
-    """Lines of a failed render's log with the reason."""
     lines = [line for line in text.replace("\r", "\n").splitlines() if line.strip()]
     errors = [i for i, line in enumerate(lines) if re.search(r"error", line, re.IGNORECASE)]
     first = max(0, errors[0] - 4) if errors else -8

@@ -25,7 +25,7 @@ def span(seconds):
 
 
 class State:
-    """State of the batch from four directory listings: of all pictures, or of those in --only."""
+    """Four directory listings: of all pictures, or of those in --only."""
 
     def __init__(self, work, description):
         bands = len(description["key"]["bands"])
@@ -40,13 +40,10 @@ class State:
         self.merged, self.pictures = len(merged.intersection(pictures)), len(pictures)
 
     def missing(self):
-        """Numbers of the units that are neither done nor failed."""
         return [n for name, n in self.units.items() if name not in self.done and name not in self.failed]
 
 
 class Running:
-    """A running unit, from its record and its log."""
-
     def __init__(self, work, name, description):
         bands = description["key"]["bands"]
         record = read_json(work.record("running", name)) or {}
@@ -69,7 +66,7 @@ class Running:
 
 
 class Progress:
-    """One line about the whole batch: overwritten on a terminal, repeated now and then elsewhere."""
+    """Overwritten on a terminal, repeated now and then elsewhere."""
 
     def __init__(self, work, description, quiet=False):
         self.work, self.description, self.quiet = work, description, quiet
@@ -80,7 +77,7 @@ class Progress:
         self.hinted = False
 
     def time_left(self, state):
-        """Estimate from the pace of this run and the progress of running units; None before a hundredth of one is done."""
+        """By this run's pace; None before a hundredth of a unit."""
         running = sum((Running(self.work, name, self.description).percent() or 0) / 100 for name in state.running)
         finished = len(state.done) - self.at_begin + running
         if finished < 0.01:
@@ -98,7 +95,7 @@ class Progress:
         )
 
     def at_work(self, state):
-        """The units that have run longest; once, a hint if one takes very long."""
+        """The longest-running units; once, a hint about a slow one."""
         units = [Running(self.work, name, self.description) for name in sorted(state.running)[:LOOKED_AT]]
         units.sort(key=lambda unit: -unit.seconds)
         if units and units[0].seconds > LONG and not self.hinted and not self.description.get("limit"):
@@ -127,7 +124,7 @@ class Progress:
 
 
 def log_end(path, lines=6, begins=0, ends=None):
-    """The last lines of a log, or of its bytes from `begins` to `ends`."""
+    """Its last lines, or those of bytes `begins` to `ends`."""
     try:
         ends = os.path.getsize(path) if ends is None else ends
         with open(path, "rb") as stream:
@@ -141,7 +138,6 @@ def log_end(path, lines=6, begins=0, ends=None):
 
 
 def failures(work, description):
-    """Failures, each with the end of its log."""
     for name in sorted(State(work, description).failed):
         record = read_json(work.record("failed", name)) or {}
         yield f"failed: {record.get('picture', name)!r} rows {record.get('rows')}: {record.get('reason')}"
@@ -151,7 +147,7 @@ def failures(work, description):
 
 
 def unfinished(work, description):
-    """Ends of the logs of the workers' starters, for workers that never reported."""
+    """Logs of workers that never reported."""
     state = State(work, description)
     if state.missing():
         logs = sorted(path for path in work.logs.iterdir() if not path.name.startswith("task-") and path.stat().st_size)

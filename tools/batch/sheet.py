@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The contact sheet of a sweep: thumbnails of all pictures, labelled with their values."""
+"""The contact sheet of a sweep."""
 
 import math
 import os
@@ -15,15 +15,14 @@ AT_ONCE = 50  # pictures per call: starting oiiotool takes longer than a thumbna
 
 
 def columns(sets, count):
-    """Columns of the sheet. With several parameters, a column for each value of the last and a row for each combination of the others; with
-    one, slightly wider than tall."""
+    """A column for each value of the last parameter; for a single one, slightly wider than tall."""
     if len(sets) > 1:
         return len(sets[-1][1])
     return math.ceil(math.sqrt(count))
 
 
 def thumb(link, target, size, label):
-    """oiiotool's arguments for one labelled thumbnail. Converts linear values for display."""
+    """Linear values are converted for display."""
     width, height = size
     words = [link, "--ch", "R,G,B"]
     if link.endswith(".exr"):
@@ -35,7 +34,6 @@ def thumb(link, target, size, label):
 
 
 def font_file(program):
-    """POV-Ray's own sans serif font."""
     prefix = pathlib.Path(os.path.realpath(program)).parent.parent
     return str(prefix / "share" / "povray-3.7" / "include" / "cyrvetic.ttf")
 
@@ -69,6 +67,5 @@ def make(work, description):
 
 
 def label_that_fits(label, width):
-    """Truncates a label that is wider than its picture."""
     most = max(4, (width - 16) // 8)
     return label if len(label) <= most else label[: most - 3] + "..."

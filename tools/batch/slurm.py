@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Runs tasks on a Slurm cluster: a job array, and a dependent job that finishes the batch."""
+"""Runs tasks as a Slurm job array, and a dependent job that finishes."""
 
 import contextlib
 import re
@@ -31,7 +31,6 @@ def check():
 
 
 def command(*words):
-    """Runs one of Slurm's commands; returns its output."""
     try:
         done = subprocess.run(words, stdin=subprocess.DEVNULL, capture_output=True, timeout=120, check=False)
     except subprocess.TimeoutExpired:
@@ -48,7 +47,7 @@ def largest_array():
 
 
 def workers(settings, threads):
-    """Number of simultaneous POV-Rays by sinfo, an estimate: the site's queue decides."""
+    """An estimate by sinfo: the site's queue decides."""
     if settings.workers:
         return settings.workers
     words = ["sinfo", "-h", "-o", "%C"] + ([f"--partition={settings.partition}"] if settings.partition else [])
@@ -57,13 +56,12 @@ def workers(settings, threads):
 
 
 def site_options(settings):
-    """The user's options for sbatch."""
     words = [f"--{name}={getattr(settings, name)}" for name in ("partition", "time", "account") if getattr(settings, name)]
     return words + settings.sbatch
 
 
 def write_script(work, verb, argument):
-    """The batch script; the shell reads names from it, so that they may contain any characters."""
+    """The shell reads names from it, because they may contain any characters."""
     path = work.folder / f"{verb}.sh"
     write_text(
         path,
@@ -73,7 +71,6 @@ def write_script(work, verb, argument):
 
 
 def ranges(numbers):
-    """0,1,2,5 as 0-2,5."""
     runs = []
     for n in numbers:
         if runs and runs[-1][1] == n - 1:
@@ -84,8 +81,7 @@ def ranges(numbers):
 
 
 def log_name(work, name):
-    """Value of sbatch's --output for a file in the log folder. If the folder's name holds a %-mark, a backslash disables them all, and all
-    tasks share a file."""
+    """For sbatch's --output. A backslash disables the %-marks of a folder's name; all tasks then share a file."""
     folder = str(work.logs)
     if "\\" in folder:
         return folder.replace("\\", "\\\\") + "/slurm.out"
@@ -93,7 +89,7 @@ def log_name(work, name):
 
 
 def submit(work, description, tasks, settings):
-    """Submits array and last step; returns the job numbers."""
+    """Array and last step; returns the job numbers."""
     common = ["sbatch", "--parsable", "--open-mode=append", f"--chdir={work.folder}", *site_options(settings)]
     limit = f"%{settings.workers}" if settings.workers else ""
     array = command(
@@ -106,7 +102,7 @@ def submit(work, description, tasks, settings):
         f"--output={log_name(work, 'slurm-%a.out')}",
         str(write_script(work, "task", '"$SLURM_ARRAY_TASK_ID"')),
     ).split(";")[0]
-    # afterany: a failed task must not keep the last step, which reports missing units, from running
+    # afterany: a failed task must not stop the last step
     try:
         last = command(
             *common,
@@ -132,13 +128,11 @@ def alive(jobs):
 
 
 def active_jobs(work):
-    """Unfinished jobs of an earlier call."""
     jobs = read_json(work.folder / "jobs.json")
     return alive(jobs) if jobs and shutil.which("squeue") else []
 
 
 def cancelled(jobs):
-    """Cancelled jobs, as far as the controller still knows them."""
     found = []
     for job in jobs:
         with contextlib.suppress(BatchError):
@@ -149,7 +143,7 @@ def cancelled(jobs):
 
 @contextlib.contextmanager
 def interrupted_alone(jobs):
-    """Lets an interrupt end this call but not the jobs, and tells the user how to cancel them."""
+    """An interrupt ends this call, but not the jobs."""
     try:
         yield
     except KeyboardInterrupt:
@@ -158,7 +152,7 @@ def interrupted_alone(jobs):
 
 
 def wait(jobs, progress):
-    """Waits for the jobs; raises an error if they were cancelled."""
+    """Raises an error if they were cancelled."""
     wait_for_end(jobs, progress)
     gone = cancelled(jobs)
     if gone:
@@ -166,7 +160,7 @@ def wait(jobs, progress):
 
 
 def wait_for_end(jobs, progress):
-    """Waits for the jobs. Tolerates a silent controller for PATIENCE seconds."""
+    """Tolerates a silent controller for PATIENCE seconds."""
     pause, silent_since = 0.5, None
     while True:
         try:
@@ -186,7 +180,7 @@ def wait_for_end(jobs, progress):
 
 
 def run(work, description, tasks, settings, progress):
-    """Submits the tasks and waits for the last step, unless told not to."""
+    """Waits for the last step, unless told not to."""
     jobs = submit(work, description, tasks, settings)
     with interrupted_alone(jobs):
         print(f"jobs {' '.join(jobs)} submitted ({len(tasks)} tasks, then the last step)", file=sys.stderr)

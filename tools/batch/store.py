@@ -41,7 +41,7 @@ def sha256(path):
 
 
 def sync_folder(folder):
-    """Makes the folder's names survive a power failure."""
+    """Its names survive a power failure."""
     handle = os.open(folder, os.O_RDONLY)
     try:
         os.fsync(handle)
@@ -50,13 +50,13 @@ def sync_folder(folder):
 
 
 def sync_file(path):
-    """Makes a file that another program wrote survive a power failure."""
+    """Another program's file survives a power failure."""
     with open(path, "rb") as stream:
         os.fsync(stream.fileno())
 
 
 def write_text(path, text):
-    """Writes a file completely or not at all, even if the machine stops."""
+    """Completely or not at all, even if the machine stops."""
     path = pathlib.Path(path)
     handle, name = tempfile.mkstemp(prefix=".new.", dir=path.parent)
     try:
@@ -76,12 +76,12 @@ def write_text(path, text):
 
 
 def write_json(path, value):
-    """Like write_text(); names that are not UTF-8 survive as surrogates."""
+    """Names that are not UTF-8 survive as surrogates."""
     write_text(path, json.dumps(value, indent=1, ensure_ascii=True) + "\n")
 
 
 def read_json(path):
-    """The value; None if the file is missing or is not JSON."""
+    """None if missing or not JSON."""
     try:
         return json.loads(pathlib.Path(path).read_text(encoding="utf-8"))
     except (OSError, ValueError):
@@ -90,7 +90,7 @@ def read_json(path):
 
 @contextlib.contextmanager
 def locked(path, wait=True):
-    """Holds a lock file; yields True if it was acquired. Child processes do not inherit it."""
+    """Yields True if acquired. Child processes do not inherit it."""
     with open(path, "a", encoding="utf-8") as stream:
         try:
             fcntl.flock(stream, fcntl.LOCK_EX | (0 if wait else fcntl.LOCK_NB))
@@ -101,7 +101,7 @@ def locked(path, wait=True):
 
 
 def little_room(folder):
-    """A remark if the disk is full, because programs seldom report that."""
+    """Programs seldom report a full disk."""
     free = shutil.disk_usage(folder).free
     if free < 1 << 20:
         yield f"The disk is full: {free >> 10} KB are left for {str(folder)!r}. Make room first."
@@ -109,11 +109,9 @@ def little_room(folder):
 
 @contextlib.contextmanager
 def output_lock(path, work, has_jobs):
-    """Holds a lock file beside the pictures, so that no other batch writes them, and removes it afterwards. Yields None, or the work folder
-    of the batch that holds it.
+    """A lock beside the pictures. Yields None, or the work folder of its owner.
 
-    Jobs on a cluster write pictures even without a waiting call. If `has_jobs` returns True for a work folder, the lock file stays, with
-    the folder's name."""
+    Jobs write pictures without a waiting call: if `has_jobs` is True for a work folder, the lock file stays."""
     while True:
         with open(path, "a+", encoding="utf-8", errors="surrogateescape") as stream:
             try:
@@ -141,7 +139,7 @@ def output_lock(path, work, has_jobs):
 
 
 def boot():
-    """Identifies this boot of this machine: a file written under another may be truncated."""
+    """A file written under another boot may be truncated."""
     try:
         return pathlib.Path("/proc/sys/kernel/random/boot_id").read_text(encoding="ascii").strip()
     except OSError:
@@ -149,8 +147,6 @@ def boot():
 
 
 class Work:
-    """The work folder and its names."""
-
     STATES = ("running", "done", "failed", "merged")
 
     def __init__(self, folder):
@@ -167,7 +163,6 @@ class Work:
             folder.mkdir(parents=True, exist_ok=True)
 
     def names_in_it(self):
-        """All names that a work folder may hold."""
         return {
             "batch.json",
             "lock",
@@ -194,14 +189,13 @@ class Work:
                 path.unlink(missing_ok=True)
 
     def unit(self, name):
-        """The folder in which POV-Ray renders a unit."""
         return self.units / name
 
     def record(self, state, name):
         return self.folder / state / f"{name}.json"
 
     def names(self, state):
-        """All units in a state: one directory listing, cheap on a file server."""
+        """One directory listing, cheap on a file server."""
         try:
             entries = os.listdir(self.folder / state)
         except FileNotFoundError:

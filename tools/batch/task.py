@@ -1,8 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Runs one task: renders its units in turn, checks each, and joins each picture whose last band it has finished.
-Tasks may share a work folder; a unit that is done or locked is not started again. The death of a worker (a kill, a
-lost node) loses only the current tile: POV-Ray dies with it, and its state file is continued."""
+"""Renders a task's units in turn and joins finished pictures. Done or locked units are not started again. A dead worker loses the
+current tile only: POV-Ray dies with it, and its state file is continued."""
 
 import contextlib
 import fcntl
@@ -23,7 +22,7 @@ class Changed(BatchError):
 
 
 def stamps_before(description, folder):
-    """Stamps of the files that a unit will read, as far as known: the key's, and those that an earlier try read."""
+    """Files known from the key or an earlier try."""
     files = set(description["key"]["files"])
     with contextlib.suppress(BatchError):  # the first try
         files |= keys.listed_files(folder / "files", keys.Links(description["links"]))[0]
@@ -31,9 +30,8 @@ def stamps_before(description, folder):
 
 
 def check_inputs(description, folder, before, started):
-    """The files that this unit read in addition to the key's. Refuses a file that differs from the key's.
-    @param before  stamps_before() the render
-    @param started  start of the render"""
+    """Files read in addition to the key's, which must be unchanged. @param before stamps_before() the render @param started start of the
+    render"""
     known, stamps = description["key"]["files"], description["stamps"]
     links = keys.Links(description["links"])
     read, missing = keys.listed_files(folder / "files", links)
@@ -55,8 +53,6 @@ def check_inputs(description, folder, before, started):
 
 
 class Unit:
-    """One band of one picture in its folder."""
-
     def __init__(self, work, description, number, log):
         key = description["key"]
         self.work, self.description, self.log = work, description, log
@@ -76,7 +72,7 @@ class Unit:
         return {"log": str(self.log), "begins": self.begins}
 
     def do(self):
-        """With a bounded number of tries, unless the unit is done."""
+        """With a bounded number of tries."""
         if self.work.record("done", self.name).exists():
             return True
         self.folder.mkdir(parents=True, exist_ok=True)
@@ -106,7 +102,7 @@ class Unit:
             return False
 
     def attempt(self, attempt, lock):
-        """Runs POV-Ray once: None, or the reason of a failure and whether another try is in vain."""
+        """None, or the reason of a failure and whether another try is in vain."""
         running = self.work.record("running", self.name)
         told = {"host": os.uname().nodename, "pid": os.getpid(), "try": attempt, "since": time.time()}
         write_json(running, {**told, **self.place_in_log()})
@@ -150,8 +146,7 @@ class Unit:
         return None, False
 
     def drop_state(self, status, size):
-        """Removes a state file that POV-Ray crashed on or refused; returns True if so. A file that has grown was readable. A kill of
-        POV-Ray or a full disk is not the file's fault."""
+        """True if POV-Ray crashed on it. A file that has grown was readable; a kill or a full disk is not its fault."""
         path = povray.state_file(self.folder)
         blameless = -status in povray.KILLED or any(little_room(self.folder))
         if path is None or blameless or path.stat().st_size > size:
@@ -160,7 +155,6 @@ class Unit:
         return True
 
     def finish(self, extra, missing, attempt, seconds):
-        """Checks the pictures and records the unit as done."""
         size = self.description["key"]["size"]
         files = {}
         for rest, path in povray.outputs(self.folder).items():
@@ -188,7 +182,7 @@ class Unit:
 
 
 def end_when_asked(unit):
-    """On SIGTERM or SIGINT ends POV-Ray first, which keeps its state file."""
+    """On SIGTERM or SIGINT, POV-Ray keeps its state file."""
 
     def end(number, _):
         if unit.process:

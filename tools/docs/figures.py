@@ -76,7 +76,7 @@ def scenes(folder):
 
 
 def layer_commands():
-    """The manual's commands that show the layers of board.png: {name of the resulting picture: words}."""
+    """{picture: words} of the layers of board.png."""
     lines = re.findall(r"^    (oiiotool board\.layers\.exr .* -o (\w+)\.png)$", MANUAL.read_text(), re.MULTILINE)
     return {name: shlex.split(line) for line, name in lines}
 
@@ -115,7 +115,7 @@ def make_pictures(povray, names):
 
 
 def quality_table(povray):
-    """Samples, noise that the program reports, CPU time of one thread."""
+    """Samples, reported noise, CPU time of one thread."""
     rows = ["| `Declare=Step=` | samples per pixel: mean, 99%, most | `Standard error` | CPU time, relative |", "| --- | --- | --- | --- |"]
     first = 0.0
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
@@ -135,7 +135,7 @@ def quality_table(povray):
 
 
 def make_drawings(names, folder=DRAWINGS):
-    """All drawings if no name is given; returns their names."""
+    """All without a name; returns their names."""
     if shutil.which("gnuplot") is None:
         sys.exit("gnuplot is missing: apt-get install gnuplot-nox")
     scripts = {script.stem: script for script in sorted(SCRIPTS.glob("*.gp")) if script.stem != "common"}

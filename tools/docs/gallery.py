@@ -42,12 +42,11 @@ class Scene:
 
     @property
     def size(self):
-        """Width and height."""
         return tuple(next(int(option[2:]) for option in self.options if option.startswith(letter)) for letter in ("+W", "+H"))
 
 
 def read_scene(path):
-    """The scene with the options that its comment names."""
+    """With the options of its comment."""
     command = re.search(rf"^//\s+\./render scenes/gallery/{path.stem}\.pov((?: \S+)*)$", path.read_text(), re.MULTILINE)
     options = command.group(1).split() if command else []
     if not any(option.startswith("+W") for option in options):
@@ -60,7 +59,6 @@ def all_scenes():
 
 
 def small(scene):
-    """The options for the size of the thumbnail."""
     width, height = scene.size
     return [f"+W{WIDTH}", f"+H{height * WIDTH // width}"]
 
@@ -74,7 +72,7 @@ def number(pattern, text, what):
 
 
 def render(scene, arguments):
-    """Renders the picture; returns its file and its line of the table."""
+    """Returns its file and its line of the table."""
     picture = arguments.output / f"{scene.name}{'_small' if arguments.small else ''}.png"
     command = povray_run.command(
         arguments.povray,
@@ -99,7 +97,7 @@ def render(scene, arguments):
 
 
 def make_thumbnail(picture, scene):
-    """A JPEG of WIDTH pixels, in the best quality that keeps it small."""
+    """WIDTH pixels wide, in the best quality that keeps it small."""
     thumbnail = THUMBNAILS / f"{scene.name}.jpg"
     for quality in range(92, 40, -4):
         subprocess.run(

@@ -28,7 +28,7 @@ BEGIN, END = "<!-- portraits: tools/docs/lens_portraits.py -->\n", "<!-- end of 
 
 
 def lenses():
-    """{name: title} of each portrait's lens, in the order of the scene's numbers."""
+    """{name: title}, in the scene's order."""
     with LENSES.open(encoding="utf-8") as table:
         rows = list(csv.DictReader(table))
     return {"ideal": "An ideal lens of 50 mm at f/1.4", **{pathlib.Path(row["file"]).stem: row["lens"] for row in rows}}

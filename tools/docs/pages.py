@@ -46,8 +46,6 @@ class Block:
 
 @dataclasses.dataclass
 class Example:
-    """Scene code of a page, ready to be rendered."""
-
     block: Block
     kind: str  # "whole" or one of KINDS
     name: str  # of the file; "" where the page gives none
@@ -99,7 +97,6 @@ def example_of(block):
 
 
 def expectations(block, parts):
-    """The texts that the program must print."""
     expected = {"says": [], "warns": [], "fails": []}
     for part in parts:
         verb, colon, text = part.strip().partition(":")
@@ -113,7 +110,6 @@ def expectations(block, parts):
 
 
 def examples_of(blocks):
-    """All examples; two of one name are refused."""
     examples = [example_of(block) for block in blocks if block.language == "povray"]
     names = [example.name for example in examples if example.name]
     for name in names:
@@ -123,7 +119,7 @@ def examples_of(blocks):
 
 
 def commands_of(page, text):
-    """(line, command) of each shell command of a page; continued lines are joined."""
+    """(line, command); continued lines are joined."""
     found, inside, fenced = [], False, ""
     lines = text.split("\n")
     for number, line in enumerate(lines, 1):
@@ -143,7 +139,7 @@ def commands_of(page, text):
 
 
 def without_code(text):
-    """The page without fenced blocks, inline code and comments, its lines kept."""
+    """Without fences, inline code and comments; lines kept."""
     lines, inside = [], False
     for line in text.split("\n"):
         if FENCE.match(line) or (inside and line.strip().startswith("```")):
@@ -155,7 +151,6 @@ def without_code(text):
 
 
 def links_of(text):
-    """Targets of links and pictures."""
     return re.findall(r"\]\(\s*([^()\s]+)\s*\)", re.sub(r"\n\s*", " ", without_code(text)))
 
 

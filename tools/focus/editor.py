@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Writes the page's block into the scene's file, after checking that the program then finds the page's lens in it."""
+"""Writes the page's block after the program has found the lens in it."""
 
 import os
 
@@ -12,23 +12,19 @@ from tools.focus.tasks import ended, started
 
 
 class Editor:
-    """Writes and undoes for one session."""
-
     def __init__(self, session):
         self.session = session
         self.added = self.index = 0  # cameras that the last change added, and the index of the one before which it did
         self.task = None  # the last task; tasks run one after the other
 
     def start(self, request, view):
-        """Writes the block of a page into the scene's file."""
         self.begin(lambda: self.write(request, view), "refused", self.tell_all)
 
     def start_undo(self):
-        """Undoes the last change of the file."""
         self.begin(self.undo, "refused", self.tell_all)
 
     def start_trial(self, request, view):
-        """Checks whether the block of a page would do in the scene's file; the page receives the answer."""
+        """Checks whether the block would do."""
         self.begin(lambda: self.tried(request, view), "untried", lambda told: self.tell(view, told))
 
     def start_pull(self, request, view):
@@ -40,11 +36,9 @@ class Editor:
 
     @staticmethod
     async def tell(view, told):
-        """Tells one page the result."""
         view.send({"type": "file", **told})
 
     async def tell_all(self, told):
-        """Tells all pages the result, each with its chosen camera."""
         self.session.told["file"] = {"type": "file", **told}
         for view in self.session.views:
             await self.tell(view, {**told, "chosen": view.chosen})
@@ -54,7 +48,6 @@ class Editor:
         self.task = started(self.answered(work, failed, tell, self.task))
 
     async def answered(self, work, failed, tell, previous):
-        """Runs a task and tells the result."""
         await ended(previous)
         try:
             told = await work()
@@ -63,8 +56,7 @@ class Editor:
         await tell(told)
 
     async def change(self, request, view):
-        """The file's contents, the contents with the block, which the program has checked, and the number of cameras added before the one
-        with the lens."""
+        """Contents before and after, checked by the program, and the number of cameras added before this one."""
         session = self.session
         camera, before = await self.camera_to_change(view), session.file.bytes()
         text, behind = session.file.decoded(before), request["behind"]
@@ -83,24 +75,21 @@ class Editor:
 
     @staticmethod
     def in_camera(camera, text, request):
-        """The scene's text with the block in the camera, in place of the old block."""
         if camera["block"] and scene_text.kept_at(text, camera["line"]) is None:
             raise EditError("the camera's tilt_lens block comes from a macro or another file")
         return scene_text.with_block(text, camera["line"], request["block"], request["items"])
 
     async def write(self, request, view):
-        """Changes the file; returns the answer for the page."""
         return self.replaced(view, *await self.change(request, view))
 
     def replaced(self, view, before, after, added):
-        """Replaces the file's contents; returns the answer for the page."""
         kept = self.session.file.replace(before, after)
         self.added, self.index = added, view.record.index_in_use() if view.chosen is None else view.chosen
         self.choose(added)
         return {"state": "written", "kept": kept}
 
     async def pulled(self, request, view):
-        """Writes a focus pull if the program finds its lenses at some times; returns the answer for the page."""
+        """If the program finds its lenses."""
         session = self.session
         camera, before = await self.camera_to_change(view), session.file.bytes()
         text = session.file.decoded(before)
@@ -115,20 +104,19 @@ class Editor:
         return {"state": "tried"}
 
     async def undo(self):
-        """Restores the file; returns the answer for the page."""
         self.session.file.undo()
         self.choose(-self.added)
         self.added = -self.added
         return {"state": "undone"}
 
     def choose(self, added):
-        """Each page keeps its chosen camera after cameras were added before it, or removed."""
+        """Cameras may be added or removed before it."""
         for view in self.session.views:
             if view.chosen is not None and view.chosen >= self.index + max(0, -added):
                 view.chosen += added
 
     async def look_at(self, view, path, name, more=()):
-        """The cameras of a file, by a render of one pixel with a page's options and more."""
+        """By a render of one pixel."""
 
         async def nothing(_):
             return
@@ -140,8 +128,7 @@ class Editor:
         return render.camera()
 
     async def camera_to_change(self, view):
-        """The statement of a page's camera, as the file has it now.
-        @throws EditError  it cannot be changed"""
+        """@throws EditError it cannot be changed"""
         session = self.session
         stamp = scene_file.stamp(session.file.path)
         if view.record.stamp != stamp:
@@ -157,7 +144,7 @@ class Editor:
         return camera
 
     async def check(self, view, data, old, added, expected, more=()):
-        """@throws EditError  unless the program finds the wanted lens, and the items that the page keeps, in the changed scene"""
+        """@throws EditError the program does not find the lens and the kept items"""
         session = self.session
         path = session.folder / "changed.pov"
         path.write_bytes(data)

@@ -50,7 +50,7 @@ def parser():
 
 
 def real_lenses():
-    """The lenses and film formats of tilt_lens.inc: {"lenses": [...], "films": [...]}, millimetres and degrees."""
+    """{"lenses": [...], "films": [...]} of tilt_lens.inc, millimetres and degrees."""
     text = (povray_run.INCLUDE / "tilt_lens.inc").read_text(encoding="utf-8")
     number = r"\s*([\d.]+)\s*"
     lenses = re.findall(rf"#declare Tilt_Lens_\w+\s*= array\[4\] {{{number},{number},{number},{number}}}\s*// (.+)", text)
@@ -65,8 +65,7 @@ def real_lenses():
 
 
 async def serve_until_ended(settings, folder):
-    """Serves the page until a signal arrives or the page was left; returns the exit code. Holds back signals before and after, so that
-    nothing is left behind."""
+    """Until a signal, or the page was left. Signals are held back before and after, so that nothing is left behind."""
     ended = asyncio.Event()
     for number in ENDING:
         asyncio.get_running_loop().add_signal_handler(number, ended.set)
@@ -78,7 +77,7 @@ async def serve_until_ended(settings, folder):
 
 
 async def serve(settings, folder, ended):
-    """Serves the page until an event, or until it was left; returns the exit code."""
+    """Until an event, or until it was left."""
     # imported here, because aiohttp loads slowly and help needs none of it
     from tools.focus.server import Server  # pylint: disable=import-outside-toplevel
     from tools.focus.session import Session  # pylint: disable=import-outside-toplevel
@@ -106,7 +105,6 @@ async def serve(settings, folder, ended):
 
 
 def main(words):
-    """Runs the command line. A user's mistake is reported in one message."""
     settings, options = parser().parse_known_args(words)
     logging.basicConfig(level=logging.WARNING)
     unknown = [word for word in options if word.startswith("--") and word != "--unrestricted"]

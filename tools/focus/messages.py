@@ -28,14 +28,12 @@ def need(condition):
         raise BadRequest
 
 
-# ---- parts of messages ----
-
 DIGITS = r"-?[0-9]{1,40}(?:\.[0-9]{1,40})?(?:e[-+]?[0-9]{1,3})?"  # a number in a text
 VECTOR_TEXT = rf"<{DIGITS}(?:, {DIGITS}){{2}}>"
 BLOCK_PART = rf"(?:[ \n<>,]|(?:{'|'.join(WORDS)}|{DIGITS})(?=[ \n<>,{{}}]))*"
 BLOCK_TEXT = rf"tilt_lens \{{{BLOCK_PART}(?:\{{{BLOCK_PART}\}}{BLOCK_PART})?\}}"
 
-# a focus pull: its keys before the camera, and the block that uses them
+# keys before the camera, and the block
 KEY_TEXT = rf"Tilt_Lens_Key_Points\({DIGITS}, {DIGITS}(?:, {VECTOR_TEXT}){{3}}\)\n"
 HEAD_TEXT = rf'#include "tilt_lens\.inc"\n#declare Tilt_Lens_Keys = 0;\n(?:{KEY_TEXT}){{2,{MOST_KEYS}}}'
 PULL_TEXT = rf"tilt_lens \{{{BLOCK_PART}Tilt_Lens_Pull\(clock, {VECTOR_TEXT}\)\n\}}"
@@ -45,22 +43,18 @@ NUMBER_OR_NONE = {"anyOf": [NUMBER, {"type": "null"}]}
 
 
 def text(pattern, longest=2000):
-    """A text that matches the pattern completely."""
     return {"type": "string", "maxLength": longest, "pattern": rf"\A(?:{pattern})\Z"}
 
 
 def values(item, count, most=None):
-    """A list of `count` items, or of as many to `most`."""
     return {"type": "array", "items": item, "minItems": count, "maxItems": most or count}
 
 
 def record(**parts):
-    """An object with exactly these members."""
     return {"type": "object", "properties": parts, "required": list(parts), "additionalProperties": False}
 
 
 def some_of(**parts):
-    """An object with any of these members."""
     return {"type": "object", "properties": parts, "additionalProperties": False}
 
 
@@ -113,17 +107,13 @@ def schema_of(name):
 VALIDATORS = {name: jsonschema.Draft7Validator(schema_of(name)) for name in MESSAGES}
 
 
-# ---- messages ----
-
-
 def not_finite(word):
-    """Refuses NaN and Infinity, which Python's JSON accepts."""
+    """Python's JSON accepts NaN and Infinity."""
     raise BadRequest(word)
 
 
 def read(sent):
-    """Parses and checks a message: (its type, its members).
-    @throws BadRequest"""
+    """Parses and checks a message: (its type, its members). @throws BadRequest"""
     try:
         message = json.loads(sent, parse_constant=not_finite)
     except (ValueError, RecursionError):
@@ -134,7 +124,7 @@ def read(sent):
 
 
 def picture(message, kept):
-    """The parts of the true picture's scene; `kept` are further items of the block. The page recognises the picture by `lens`."""
+    """`kept`: further items of the block; the page recognises the picture by `lens`."""
     point = message["items"].get("focal_point")
     more = [f"focal_point {point}"] if point else []
     inside = "\n".join([QUALITIES[int(message["quality"])], *more, with_items(message["block"], kept)])

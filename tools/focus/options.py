@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The picture's size and the clock in the user's options of POV-Ray, on the command line or in ini files."""
+"""Size and clock in POV-Ray's options, by command line or ini files."""
 
 import dataclasses
 import re
@@ -25,7 +25,7 @@ def settings_in(words, depth=0):
 
 
 def lines_of(path, section):
-    """Lines of an ini file without comments: those before its first section, and those of the named section."""
+    """Before the first section, and in the named one."""
     try:
         with open(path, encoding="utf-8", errors="replace") as stream:
             lines = stream.read().splitlines()
@@ -43,8 +43,7 @@ def lines_of(path, section):
 
 @dataclasses.dataclass
 class Options:
-    """`words` go to POV-Ray; `size` is the preview's, in pixels; `size_given` is True if the user gave both sides; `clock` is the initial
-    clock, None for POV-Ray's default 0; `clocks` is the page's range."""
+    """`words` go to POV-Ray; `size`: pixels; `size_given`: both sides; `clock`: None for 0; `clocks`: the page's range."""
 
     words: list
     size: tuple = (WIDTH, HEIGHT)

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""One page at the other end of a socket, which may read slowly or not at all."""
+"""A page at a socket, which may read slowly."""
 
 import asyncio
 
@@ -10,8 +10,7 @@ DEADLINE = 30  # seconds within which a message must be sent
 
 
 class Peer:
-    """A page. Messages to it wait in a queue of its own, so that a slow page delays no other. One that is too slow is disconnected, and
-    asks for everything again when it continues."""
+    """Messages wait in its queue, so that it delays no other. If too slow it is disconnected, and asks again."""
 
     def __init__(self, socket, transport):
         self.socket, self.transport = socket, transport
@@ -19,11 +18,9 @@ class Peer:
         self.task = started(self.write())
 
     def put(self, message):
-        """Queues a text or bytes."""
         self.queue.put_nowait((asyncio.get_running_loop().time() + DEADLINE, message))
 
     async def write(self):
-        """Sends the queue."""
         try:
             while True:
                 deadline, message = await self.queue.get()
@@ -34,7 +31,6 @@ class Peer:
             self.transport.abort()
 
     async def close(self, code, words=b""):
-        """Closes the connection with a reason."""
         await stopped(self.task)
         try:
             async with asyncio.timeout(1):

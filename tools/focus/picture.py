@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The true picture: the scene rendered with the page's lens, sent to the page while it grows."""
+"""The true picture, sent to the page while it grows."""
 
 import asyncio
 import time
@@ -24,15 +24,13 @@ def display(colours, gamma):
 
 
 class TruePicture:
-    """The last requested true picture. `number` counts them; `values` are its pixels so far (rows, columns, 4); `file` is the finished
-    file."""
+    """`number` counts requests; `values` are the pixels so far (rows, columns, 4); `file` is the finished file."""
 
     def __init__(self, session):
         self.session = session
         self.number, self.values, self.file, self.task = 0, None, None, None
 
     def start(self, request, view):
-        """Starts a picture for a page in place of the previous one."""
         self.stop()
         self.number += 1
         request["lens"]["clock"] = view.clock
@@ -43,7 +41,6 @@ class TruePicture:
             self.task.cancel()
 
     async def render(self, number, request, options, gamma, previous):
-        """Renders the scene with the page's camera."""
         await ended(previous)
         session, (width, height) = self.session, request["size"]
         self.file = self.values = None

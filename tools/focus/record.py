@@ -11,28 +11,24 @@ SHOWN = ("location", "direction", "right", "up", "block")  # by which the camera
 
 
 class Record:
-    """The cameras as the program has found them in the scene's file, and the file's stamp then."""
+    """As the program found them, and the file's stamp then."""
 
     def __init__(self, found, file, stamp):
         self.found, self.file, self.stamp = found, file, stamp
 
     @property
     def view(self):
-        """The camera that the scene is rendered with."""
         return self.found["view"]
 
     @property
     def cameras(self):
-        """The camera statements."""
         return self.found["cameras"]
 
     @property
     def gamma(self):
-        """The scene's assumed_gamma."""
         return self.found["gamma"]
 
     def is_own(self, camera):
-        """True if the camera statement is in the scene's own file."""
         return os.path.realpath(camera["file"]) == self.file.path
 
     def index_in_use(self):
@@ -41,14 +37,14 @@ class Record:
         return same[-1] if same else None
 
     def kept(self, camera):
-        """Items of a camera's block that the page does not write, as text; none if the text cannot be parsed."""
+        """As text; none if it cannot be parsed."""
         try:
             return scene_text.kept_at(self.file.text(), camera["line"]) or [] if self.is_own(camera) else []
         except EditError:
             return []
 
     def kept_in_picture(self, index):
-        """Such items of a camera that the true picture has as well; without an index, of the one in use."""
+        """Also in the true picture; without an index, of the camera in use."""
         index = self.index_in_use() if index is None else index
         found = self.kept(self.cameras[index]) if index is not None else []
         return [item for item in found if item.split()[0] not in scene_text.AIDS]

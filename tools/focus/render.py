@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""One run of POV-Ray in the background: command line, tiles, camera, messages."""
+"""One run of POV-Ray in the background."""
 
 import asyncio
 import contextlib
@@ -19,7 +19,7 @@ BACKGROUND = 10  # niceness of a render that nobody waits for
 
 
 class RenderError(Exception):
-    """An error of the scene: POV-Ray's message, and file and line if known."""
+    """POV-Ray's message, and file and line if known."""
 
     def __init__(self, message, file=None, line=None):
         super().__init__(message)
@@ -27,7 +27,6 @@ class RenderError(Exception):
 
 
 def error_in(text):
-    """Extracts POV-Ray's error from its output."""
     text = text.replace("\r", "\n")
     found = re.search(
         r"^(?:File '(?P<file>(?:(?!'\s+line\s+\d)[\s\S])+)'\s+line\s+(?P<line>\d+):\s+)?"
@@ -47,7 +46,7 @@ def error_in(text):
 
 
 def nameable(path, folder, link):
-    """A path that POV-Ray can take; a path with both kinds of quotation marks gets a link in our folder."""
+    """A path with both kinds of quotation marks gets a link in our folder."""
     if not {'"', "'"} <= set(str(path)):
         return path
     made = folder / link
@@ -65,7 +64,7 @@ def with_quotes(option):
 
 
 class Render:
-    """One run. `run` returns at its end; `stop` ends it. A background run leaves the processors to the page."""
+    """A background run leaves the processors to the page."""
 
     def __init__(self, program, folder, name, background=False):
         self.program, self.folder, self.name = program, folder, name
@@ -77,12 +76,10 @@ class Render:
         self.record = folder / f"{name}.camera.json"
 
     def words(self, scene, options, size):
-        """The command line: the user's options, then those of this run."""
         scene = nameable(scene, self.folder, "scene-link.pov")
         return povray_run.command(self.program, scene, self.picture, size, *OWN, before=map(with_quotes, options))
 
     def environment(self, preview):
-        """The user's environment with this run's variables."""
         env = povray_run.user_environment((*povray_run.DISPLAYS, "TILT_LENS_PREVIEW"))
         if preview:
             self.record.unlink(missing_ok=True)
@@ -93,8 +90,7 @@ class Render:
         return env
 
     async def run(self, words, preview, on_tile, on_camera=None):
-        """Starts POV-Ray and passes on each tile. Returns its output.
-        @throws RenderError  unless it finished the picture or was stopped"""
+        """Passes on each tile. Returns its output. @throws RenderError unless it finished or was stopped"""
         state = tiles.StateFile(self.folder / f"{self.name}.pov-state")
         log = self.folder / f"{self.name}.log"
         try:
@@ -141,7 +137,6 @@ class Render:
             return None
 
     async def stop(self):
-        """Ends the run, unless it has ended."""
         if self.process and self.process.returncode is None:
             self.stopped = True
             with contextlib.suppress(ProcessLookupError):

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Replaces a file's contents. Keeps its owner, permissions and links, and refuses if it was changed meanwhile."""
+"""Replaces a file's contents, keeps owner, permissions and links, and refuses if it was changed meanwhile."""
 
 import contextlib
 import os
@@ -12,7 +12,7 @@ from tools.focus.scene_text import EditError
 
 @contextlib.contextmanager
 def in_words(what):
-    """@throws EditError  in place of a system error: the failed action and the reason"""
+    """@throws EditError in place of a system error: action and reason"""
     try:
         yield
     except OSError as error:
@@ -20,7 +20,7 @@ def in_words(what):
 
 
 def require_writable(path):
-    """@throws EditError  the file is write-protected, even for root"""
+    """@throws EditError the file is write-protected, even for root"""
     with in_words("the scene's file cannot be written"):
         protected = not os.stat(path).st_mode & 0o222
     if protected or not os.access(path, os.W_OK):
@@ -28,7 +28,7 @@ def require_writable(path):
 
 
 def require_same(found, expected):
-    """@throws EditError  the contents differ from those read before"""
+    """@throws EditError the contents have changed"""
     if found != expected:
         raise EditError("the scene's file was changed meanwhile by somebody else")
 
@@ -39,9 +39,7 @@ def contents(path):
 
 
 def replace(path, before, after):
-    """Replaces the contents that were read before: atomically if that keeps the file's owner and its other names, else by writing into the
-    file.
-    @throws EditError"""
+    """Atomically if owner and other names stay, else by writing into the file. @throws EditError"""
     require_writable(path)
     with in_words("the scene's file cannot be written"):
         info = os.stat(path)
@@ -50,7 +48,7 @@ def replace(path, before, after):
 
 
 def replaced_in_one_step(path, info, before, after):
-    """Renames a new file over the old one; returns False if that would change the owner."""
+    """False if that would change the owner."""
     handle, new = tempfile.mkstemp(prefix=".focus-", dir=os.path.dirname(path))
     try:
         with open(handle, "wb") as stream:
@@ -72,7 +70,7 @@ def replaced_in_one_step(path, info, before, after):
 
 
 def write_into(path, before, after):
-    """Writes into the file itself, once the disk has room for all of it."""
+    """Once the disk has room for it."""
     with open(path, "r+b") as stream:
         require_same(stream.read(), before)
         try:

@@ -15,28 +15,25 @@ from tools.focus.scene_text import EditError
 
 ENCODING = "latin-1"  # every byte is a character, so that unchanged bytes survive
 
-# items that state the focus, by family
 FOCUS = {"lensTurn": ("tilt", "swing", "focalPoint"), "plane": ("plane",), "points": ("points",), "sharp": ("sharpPoints", "sharpWithin")}
 LENS = ("filmWidth", "focalLength", "sceneUnit", "shift", "fStop", "blades", "bladesAngle")
 CAMERA = ("location", "direction", "right", "up")
 
 
 def flat(value):
-    """The numbers of a nested value."""
     if isinstance(value, (list, tuple)):
         return [number for part in value for number in flat(part)]
     return [] if value is None else [float(value)]
 
 
 def same(a, b):
-    """True if two values are equal up to the digits that the block's text omits."""
     a, b = flat(a), flat(b)
     size = max([abs(x) for x in a + b], default=0)
     return len(a) == len(b) and all(abs(x - y) <= 1e-6 * size for x, y in zip(a, b))
 
 
 def seen_from(location, block):
-    """A block with its focus relative to the lens, so that distant points count no more than near ones; world units."""
+    """Relative to the lens, so that distant points count no more; world units."""
     found = {**block, "sceneUnit": block["sceneUnit"] / block.get("scale", 1)}
     if block["family"] == "plane":
         normal = numpy.array(block["planeNormal"]) / numpy.linalg.norm(block["planeNormal"])
@@ -64,7 +61,6 @@ def differences(camera, expected):
 
 
 def stamp(path):
-    """A value that changes with the file."""
     try:
         info = os.stat(path)
     except OSError:
@@ -73,8 +69,6 @@ def stamp(path):
 
 
 class SceneFile:
-    """The scene's file, and the files that it reads."""
-
     def __init__(self, scene):
         self.path = os.path.realpath(scene)
         self.stamps = {self.path: stamp(self.path)}
@@ -82,8 +76,6 @@ class SceneFile:
         self.written = None  # contents of the last change
 
     def bytes(self):
-        """The file's contents.
-        @throws EditError"""
         return replacing.contents(self.path)
 
     def text(self):
@@ -99,12 +91,10 @@ class SceneFile:
         return text.encode(ENCODING)
 
     def uses_clock(self):
-        """True if the scene uses the clock."""
         return bool(re.search(r"\bclock\b", scene_text.blanked(self.text())))
 
     def replace(self, before, after):
-        """Replaces the contents that were read before and keeps a backup; returns its name.
-        @throws EditError"""
+        """Returns the backup's name. @throws EditError"""
         replacing.require_writable(self.path)
         copy = self.keep(before)
         try:
@@ -133,8 +123,7 @@ class SceneFile:
         return copy
 
     def undo(self):
-        """Restores the backup.
-        @throws EditError"""
+        """Restores the backup. @throws EditError"""
         if self.kept is None:
             raise EditError("there is no change to take back")
         if self.bytes() != self.written:
@@ -145,7 +134,7 @@ class SceneFile:
 
     @staticmethod
     def files_read(file_list, own):
-        """The files that a render has read, from the program's list, except those in our own folder."""
+        """Without those in our own folder."""
         try:
             entries = open(file_list, "rb").read().split(b"\0")
         except OSError:
@@ -154,11 +143,9 @@ class SceneFile:
         return {name for name in names if not name.startswith(f"{os.path.realpath(own)}/")}
 
     def watch(self, names):
-        """Watches these files, and the scene's own."""
         self.stamps = {name: self.stamps.get(name, stamp(name)) for name in {self.path, *names}}
 
     def changed(self):
-        """Files changed since the last call."""
         found = [name for name, old in self.stamps.items() if stamp(name) not in (old, None)]
         for name in found:
             self.stamps[name] = stamp(name)

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The preview: the scene as a pinhole, with its distances, sent to its pages while it grows."""
+"""The scene as a pinhole, with distances, sent to its pages while it grows."""
 
 import math
 import os
@@ -18,7 +18,7 @@ REFINED_BELOW = 30  # seconds; a slower preview gets no second pass
 
 
 class Preview:
-    """A preview of the scene at a clock, for all pages that show it. `frame` is the requested camera; None: the scene's own."""
+    """For all pages at one clock. `frame`: requested camera; None: the scene's."""
 
     def __init__(self, session, number, clock, frame, size):
         self.session, self.number, self.clock, self.frame = session, number, clock, frame
@@ -37,10 +37,7 @@ class Preview:
         """True if it has ended with an error; another try may succeed."""
         return bool(self.told.get("error", {}).get("message"))
 
-    # ---- to the pages ----
-
     def tell(self, kind, **what):
-        """Sends a message to its pages."""
         self.told[kind] = {"type": kind, **what}
         self.send(self.told[kind])
 
@@ -49,7 +46,7 @@ class Preview:
             view.send(message)
 
     def show_to(self, view):
-        """Adds a page, and sends it all that was sent to the others."""
+        """Sends it all that the others have."""
         self.views.add(view)
         view.preview = self
         if self.record:
@@ -66,10 +63,7 @@ class Preview:
     def head(self):
         return {"number": self.number, "frame": self.frame}
 
-    # ---- the render ----
-
     async def make(self):
-        """Makes the preview."""
         begun = time.monotonic()
         try:
             await self.pass_over([])
@@ -81,7 +75,6 @@ class Preview:
             self.tell("error", **self.session.described(error))
 
     async def pass_over(self, more, refining=False):
-        """One run of the program."""
         session, frame, name = self.session, self.frame, f"preview{self.number}"
         scene = session.settings.scene
         if frame is not None:
@@ -119,13 +112,11 @@ class Preview:
             await self.pass_over(more)
 
     def begin(self):
-        """Starts with an empty picture."""
         width, height = self.size
         self.tell("preview", **self.head(), state="begun", size=self.size)
         self.values, self.covered = numpy.zeros((height, width, 4), "<f4"), 0
 
     def take_record(self, record):
-        """Takes the scene's cameras."""
         self.record = record
         for view in self.views:
             view.take(record, self.size)
@@ -146,7 +137,6 @@ class Preview:
         )
 
     def take_tile(self, tile, refining):
-        """Stores a tile and sends it."""
         part = tile.colours if tile.layers is None else tile.layers["depth.Z"]
         rows, columns = part.shape[:2]
         place = self.values[tile.top : tile.top + rows, tile.left : tile.left + columns]
@@ -154,8 +144,7 @@ class Preview:
             with numpy.errstate(divide="ignore"):
                 place[:, :, 3] = 1 / part
             return
-        # A lamp's edge keeps its first colours: an antialiased mean of lamp and background, taken for background, would spread over the
-        # background's blur.
+        # A lamp's edge keeps its first colours: a mean of lamp and background would spread over the background's blur.
         smooth = numpy.maximum(part, place[:, :, :3]).max(2) <= 1 if refining else numpy.full((rows, columns), True)
         place[smooth, :3] = part[smooth]
         self.send(packed(PREVIEW, self.number, tile.left, tile.top, place))
@@ -164,7 +153,7 @@ class Preview:
             self.send({"type": "progress", "what": "preview", "share": self.covered / (self.size[0] * self.size[1])})
 
     def fitting_size(self, view):
-        """The size for the camera's own proportions if the user gave none; None if it is the same."""
+        """The camera's own proportions; None if unchanged."""
         ratio = math.dist(view["right"], [0] * 3) / math.dist(view["up"], [0] * 3)
         width, height = self.size
         if self.session.settings.options.size_given or not 0.1 < ratio < 10 or abs(ratio / (width / height) - 1) < 0.01:

@@ -4,7 +4,7 @@
 
 import re
 
-# items that the page writes; items that it keeps; and among these the focus aids, which the true picture omits
+# items written by the page; kept items; focus aids, which the true picture omits
 WRITTEN = (
     "film_width",
     "focal_length",
@@ -41,16 +41,16 @@ KEPT = (
     "sample_seed",
     *AIDS,
 )
-# blocks with one of these are not written: the page models the ideal lens alone, and its focal length would conflict
+# the page models the ideal lens, and its focal length would conflict
 REFUSED = ("prescription", "dispersion")
 
 
 class EditError(Exception):
-    """A change that would need a guess; the message says why."""
+    """It would need a guess; the message says why."""
 
 
 def blanked(text):
-    """The text with comments and string contents blanked, so that positions stay and only code is left."""
+    """Without comments and string contents; positions stay."""
     pattern = re.compile(r'"(?:\\.|[^"\\])*"|//[^\n]*|/\*', re.DOTALL)
     out, at = [], 0
     while True:
@@ -81,7 +81,6 @@ def version_of(text):
 
 
 def closing(code, opening):
-    """Position of the brace that closes the one at `opening`."""
     depth = 0
     for found in re.compile(r"[{}]").finditer(code, opening):
         depth += 1 if found.group() == "{" else -1
@@ -91,7 +90,7 @@ def closing(code, opening):
 
 
 def statements(code, word, start=0, end=None):
-    """(position of the word, opening, closing) of each `word { ... }` in the code."""
+    """(position of the word, opening, closing) of each `word { ... }`."""
     found = []
     for match in re.compile(rf"(?<![\w#])\b{word}\s*\{{").finditer(code, start, len(code) if end is None else end):
         found.append((match.start(), match.end() - 1, closing(code, match.end() - 1)))
@@ -99,7 +98,7 @@ def statements(code, word, start=0, end=None):
 
 
 def camera_at(text, line):
-    """The camera statement whose closing brace is in a line (from 1): (position of the word, opening, closing)."""
+    """By its closing brace's line (from 1): (position of the word, opening, closing)."""
     code = blanked(text)
     ends = [s for s in statements(code, "camera") if code.count("\n", 0, s[2]) + 1 == line]
     if len(ends) != 1:
@@ -108,24 +107,20 @@ def camera_at(text, line):
 
 
 def newline_of(text):
-    """The line ending of a text, by its first line."""
     return "\r\n" if re.match(r"[^\n]*\r\n", text) else "\n"
 
 
 def indented(block, indent, newline):
-    """The lines of a block, indented."""
     return newline.join((indent if line else "") + line for line in block.splitlines())
 
 
 def line_indent(text, at):
-    """Leading blanks of the line at a position."""
     start = text.rfind("\n", 0, at) + 1
     return re.match(r"[ \t]*", text[start:]).group()
 
 
 def with_item(body, item, value):
-    """A camera's text with a new value of an item, which is a number or a vector of numbers; None if the item is not there in this simple
-    form."""
+    """None unless the item is a number or a vector of numbers."""
     number = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
     pattern = re.compile(rf"\b{item}\s*(?:<[^<>{{}}#]*>|{number})(?=[\s}}])")
     found = pattern.search(blanked(body))
@@ -138,8 +133,7 @@ def with_item(body, item, value):
 
 
 def kept_items(inside):
-    """Items of a block that the page does not write, each as text.
-    @throws EditError  the text holds more than items"""
+    """@throws EditError the text holds more than items"""
     code = blanked(inside)
     if "#" in code:
         raise EditError("the block has directives such as #if, which would be lost")
@@ -156,8 +150,7 @@ def kept_items(inside):
 
 
 def block_in(body):
-    """Position of a camera's block: (word, opening, closing), or None.
-    @throws EditError"""
+    """(word, opening, closing), or None. @throws EditError"""
     blocks = statements(blanked(body), "tilt_lens")
     if len(blocks) > 1:
         raise EditError("the camera has more than one tilt_lens block in its text")
@@ -173,15 +166,12 @@ def kept_at(text, line):
 
 
 def with_items(block, items):
-    """A block's text with more items at its end."""
     return block.removesuffix("}") + "".join(f"  {item}\n" for item in items) + "}"
 
 
 def with_block(text, line, block, items):
-    """The scene's text with this block in the camera whose closing brace is in a line.
-
-    `items` are the camera's own items that belong to the block: name -> value, or None to remove. Other items of the old block are kept.
-    @throws EditError"""
+    """In the camera whose closing brace is in a line. `items`: name -> value of camera items, None to remove. Other items of the block
+    stay. @throws EditError"""
     word, opening, end = camera_at(text, line)
     body = text[opening + 1 : end]
     block = with_items(block, kept_at(text, line) or [])
@@ -198,9 +188,7 @@ def with_block(text, line, block, items):
 
 
 def behind_camera(text, line, block):
-    """The scene's text with one more camera behind the one whose closing brace is in a line: the same camera with this block, for a camera
-    whose block may come from a macro or have directives.
-    @throws EditError"""
+    """The same camera with this block behind it, where its block may come from a macro or have directives. @throws EditError"""
     word, _, end = camera_at(text, line)
     if re.search(r"[=(,]\s*$", blanked(text)[:word]):
         raise EditError("the camera is part of a declaration")
@@ -216,9 +204,7 @@ PULL_HEAD = re.compile(r'#include "tilt_lens\.inc"\s+#declare Tilt_Lens_Keys = 0
 
 
 def with_head(changed, text, line, head):
-    """A changed text with lines before the camera whose closing brace was in a line of the text before. The change lies inside the camera.
-    Lines of an earlier focus pull there are replaced.
-    @throws EditError"""
+    """Adds lines before a camera, in place of an earlier focus pull's. The line is of the text before the change. @throws EditError"""
     word = camera_at(text, line)[0]
     start = text.rfind("\n", 0, word) + 1
     if text[start:word].strip():

@@ -1,9 +1,9 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The page's server: static files, and a socket for tiles and requests.
+"""Static files, and a socket for tiles and requests.
 
-It listens on the loopback address only. All addresses begin with a secret; a request without it, or for another host's name, is refused
-without information. All files are read into memory at start: no name in a request ever names a file."""
+On the loopback address only. All addresses begin with a secret; other requests, or those for another host's name, are refused without
+information. Files are read at start: no request names a file."""
 
 import asyncio
 import contextlib
@@ -34,8 +34,6 @@ def page_files():
 
 
 class Server:
-    """Serves one session."""
-
     def __init__(self, session, port):
         self.session, self.port = session, port
         self.secret = secrets.token_urlsafe(24)
@@ -43,8 +41,6 @@ class Server:
         self.peers = set()
         self.last_seen = None  # time when the last page left; None before the first
         self.runner = self.listener = None
-
-    # ---- life ----
 
     async def start(self):
         """Starts to listen; returns the page's address."""
@@ -60,7 +56,7 @@ class Server:
         return f"http://{ADDRESS}:{self.port}/{self.secret}/"
 
     def connection(self):
-        """The protocol of a new connection. Beyond the limit, closes the oldest that is not a page."""
+        """Beyond the limit, closes the oldest that is not a page."""
         pages = [peer.transport for peer in self.peers]
         transports = [handler.transport for handler in self.runner.server.connections]
         others = [each for each in transports if each and each not in pages and not each.is_closing()]
@@ -69,7 +65,6 @@ class Server:
         return self.runner.server()
 
     async def stop(self):
-        """Disconnects all pages and stops listening."""
         self.listener.close()
         await asyncio.gather(*(peer.close(1001) for peer in self.peers))
         for handler in self.runner.server.connections:
@@ -80,13 +75,11 @@ class Server:
                 await self.runner.cleanup()
 
     async def until_left(self, idle):
-        """Returns when no page has been open for `idle` seconds after the first."""
+        """No page open for `idle` seconds after the first."""
         while True:
             await asyncio.sleep(0.2)
             if not self.peers and self.last_seen and time.monotonic() - self.last_seen > idle:
                 return
-
-    # ---- who may ask ----
 
     def own_host(self, value):
         """True for this server's numeric address or localhost."""
@@ -113,8 +106,6 @@ class Server:
             response.headers["Cache-Control"] = "no-store"
         return response
 
-    # ---- answers ----
-
     async def index(self, _request):
         return web.Response(body=self.files["index.html"][0], content_type="text/html", charset="utf-8")
 
@@ -125,7 +116,6 @@ class Server:
         return web.Response(body=found[0], content_type=found[1], charset="utf-8")
 
     async def picture(self, _request):
-        """The true picture, for saving."""
         path = self.session.picture.file
         if not path or not path.exists():
             raise web.HTTPNotFound(text="There is no finished picture.\n")
@@ -134,15 +124,11 @@ class Server:
         headers = {"Content-Disposition": f'attachment; filename="{safe}.png"'}
         return web.Response(body=path.read_bytes(), content_type="image/png", headers=headers)
 
-    # ---- the socket ----
-
     @staticmethod
     def put(message, peer):
-        """Queues a message for a page."""
         peer.put(message if isinstance(message, bytes) else sessions.as_text(message))
 
     async def socket(self, request):
-        """Serves one page."""
         if request.headers.get("Origin") is None:
             return web.Response(status=403, text="Not from there.\n")
         socket = web.WebSocketResponse(max_msg_size=LONGEST_MESSAGE, heartbeat=20, compress=False)
@@ -171,7 +157,6 @@ class Server:
             await peer.close(1008, b"bad request")
 
     def do_preview(self, message, view):
-        """Previews this camera, this clock, or the scene's own."""
         view.ask(message)
 
     def do_render(self, message, view):
@@ -186,12 +171,10 @@ class Server:
         self.session.editor.start(message, view)
 
     def do_try(self, message, view):
-        """Checks for one page whether the block would do in the scene."""
         messages.need(view.record)
         self.session.editor.start_trial(message, view)
 
     def do_pull(self, message, view):
-        """Writes a focus pull into the scene's file, or checks for one page whether it would do there."""
         messages.need(view.record)
         self.session.editor.start_pull(message, view)
 

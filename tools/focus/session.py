@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The state of one call of ./focus: its pages and their previews, the true picture, the changes to the file."""
+"""One call of ./focus: pages, previews, the true picture, changes to the file."""
 
 import asyncio
 import contextlib
@@ -22,8 +22,6 @@ LOOK = 0.5  # seconds between looks at the scene's files
 
 
 class Session:
-    """The scene, its renders, and its pages."""
-
     def __init__(self, settings, folder):
         self.settings, self.folder = settings, folder
         self.file = scene_file.SceneFile(settings.scene)
@@ -35,8 +33,6 @@ class Session:
         self.picture = TruePicture(self)
         self.editor = Editor(self)
 
-    # ---- to the pages ----
-
     async def tell(self, kind, **what):
         """Sends a message to all pages, and keeps it for those that connect later."""
         self.told[kind] = {"type": kind, **what}
@@ -47,11 +43,9 @@ class Session:
             view.send(message)
 
     async def send_picture_tile(self, number, left, top, values):
-        """Sends a rectangle of the true picture."""
         self.send(packed(PICTURE, number, left, top, values))
 
     def connect(self, send):
-        """A new page, which is sent all that it shows."""
         view = View(self, send)
         self.show(view)
         for kind in ("file", "picture"):
@@ -63,14 +57,11 @@ class Session:
         return view
 
     def disconnect(self, view):
-        """The page has left. Its preview is kept until another is asked for, because the page may be about to return."""
+        """Its preview stays until another is wanted: the page may return."""
         self.views.discard(view)
         view.preview.views.discard(view)
 
-    # ---- the previews ----
-
     def options(self, clock):
-        """The user's options, with a page's clock."""
         words = [] if clock is None else [f"+K{clock!r}"]
         return [*self.settings.options.words, *wrapper.search(self.settings, self.folder), *words]
 
@@ -79,7 +70,6 @@ class Session:
         self.begin(self.settings.options.clock, None, self.settings.options.size)
 
     def begin(self, clock, frame, size):
-        """Starts a preview."""
         self.number += 1
         preview = Preview(self, self.number, clock, frame, size)
         self.previews.append(preview)
@@ -89,7 +79,7 @@ class Session:
         return preview
 
     def show(self, view, frame=None):
-        """Shows a page the preview of its clock and a frame, which other pages may show already."""
+        """Other pages may show it already."""
         size = self.settings.options.size if frame is None else view.size
         key = (view.clock, frame, list(size))
         found = next((preview for preview in self.previews if preview.key == key and not preview.failed), None)
@@ -100,7 +90,7 @@ class Session:
         preview.show_to(view)
 
     def drop_unused(self, wanted):
-        """Ends the previews that no page shows, but for the wanted one and the one for new pages."""
+        """But for the wanted one and the one for new pages."""
         options = self.settings.options
         first = (options.clock, None, list(options.size))
         for preview in self.previews.copy():
@@ -109,7 +99,6 @@ class Session:
                 self.previews.remove(preview)
 
     def renew_previews(self):
-        """Makes all previews anew, because the scene has changed."""
         former, self.previews = self.previews, []
         for preview in former:
             preview.task.cancel()
@@ -119,11 +108,11 @@ class Session:
             self.start_preview()
 
     def watch_files(self):
-        """Watches the files of all previews: which ones a scene reads may depend on the clock."""
+        """The clock may decide which files a scene reads."""
         self.file.watch(set().union(*(preview.files for preview in self.previews)))
 
     def described(self, error):
-        """An error for the page, with its line. Prints a fault of this program as well."""
+        """With its line. Prints a fault of this program as well."""
         if isinstance(error, OSError):  # such as a full disk
             error = RenderError(f"The picture cannot be made: {error.strerror}")
         elif isinstance(error, EditError):
@@ -140,7 +129,6 @@ class Session:
         return told
 
     async def watch(self):
-        """Watches the scene's files; a change starts new previews."""
         while True:
             await asyncio.sleep(LOOK)
             changed = self.file.changed()
@@ -149,11 +137,10 @@ class Session:
                 self.renew_previews()
 
     async def end(self):
-        """Stops all runs."""
         for task in (*self.tasks, self.picture.task, self.editor.task):
             await stopped(task)
 
 
 def as_text(message):
-    """A message as JSON. @throws ValueError  for non-finite numbers"""
+    """A message as JSON. @throws ValueError for non-finite numbers"""
     return json.dumps(message, allow_nan=False)

@@ -12,7 +12,7 @@ def print_fault(task):
 
 
 def started(coroutine):
-    """A task that prints the exception that ends it."""
+    """Prints the exception that ends it."""
     task = asyncio.create_task(coroutine)
     task.add_done_callback(print_fault)
     return task

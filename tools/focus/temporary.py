@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The folder for pictures and logs of one call of ./focus. Removed at its end or, if the call was killed, at the next start."""
+"""Pictures and logs of one call of ./focus, removed at its end or, after a kill, at the next start."""
 
 import contextlib
 import fcntl
@@ -27,7 +27,7 @@ def folder():
 
 
 def remove_left():
-    """Removes the folders of this user's ended calls."""
+    """Only those of this user's ended calls."""
     with os.scandir(tempfile.gettempdir()) as entries:
         found = [entry.path for entry in entries if entry.name.startswith(PREFIX) and is_ours(entry)]
     for path in found:

@@ -1,9 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Reads the tiles of a picture during the render, from the state file that POV-Ray keeps for +C.
+"""Reads a picture's tiles during the render, from POV-Ray's state file.
 
-After mark, version and size of a message come "RAWSOBJE", the number of attributes, and the attributes: name, type and length of four
-bytes each, then the value. All numbers are big-endian."""
+A message: mark, version, size, "RAWSOBJE", number of attributes; each has name, type, length of four bytes, value. Big-endian."""
 
 import dataclasses
 import struct
@@ -19,7 +18,7 @@ PREVIEW, PICTURE = 1, 2  # kinds of a rectangle for the page
 
 
 def packed(kind, number, left, top, values):
-    """A rectangle of values in the page's format: six whole numbers, then the values."""
+    """Six whole numbers, then the values."""
     rows, columns = values.shape[:2]
     head = struct.pack("<6I", kind, number, left, top, columns, rows)
     return head + numpy.ascontiguousarray(values).tobytes()
@@ -27,7 +26,7 @@ def packed(kind, number, left, top, values):
 
 @dataclasses.dataclass
 class Tile:
-    """A rectangle of the picture: colours (rows, columns, 3) in the scene's light, or named layers."""
+    """Colours (rows, columns, 3) in the scene's light, or named layers."""
 
     left: int
     top: int
@@ -36,7 +35,7 @@ class Tile:
 
 
 def attributes(message):
-    """Name -> bytes, or numbers for vectors, of the attributes of a message."""
+    """Name -> bytes, or numbers for vectors."""
     (count,) = struct.unpack(">i", message[24:28])
     found, at = {}, 28
     for _ in range(count):
@@ -71,8 +70,7 @@ def tile_of(message):
 
 
 class StateFile:
-    """The state file of a render that is about to start. Created here, empty, and held open: POV-Ray writes into the same file and removes
-    its name at the end, when tiles may still be unread."""
+    """Created empty and held open: POV-Ray removes its name at the end, when tiles may be unread."""
 
     def __init__(self, path):
         path.unlink(missing_ok=True)

@@ -1,12 +1,12 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""One page's choices: each page has a clock, a camera and a frame of its own."""
+"""Each page has its own clock, camera and frame."""
 
 from tools.focus.messages import need
 
 
 class View:
-    """A page as the session knows it; `send` takes a dict or bytes."""
+    """`send` takes a dict or bytes."""
 
     def __init__(self, session, send):
         self.session, self.send = session, send
@@ -17,13 +17,11 @@ class View:
         self.preview = None
 
     def take(self, record, size):
-        """Takes the scene's cameras, and the preview's size."""
         self.record, self.size = record, size
         if self.chosen is not None and self.chosen >= len(record.cameras):
             self.chosen = None
 
     def ask(self, message):
-        """Shows the preview of a page's request: another camera, clock, or frame."""
         chosen = message.get("chosen")
         if "clock" in message:
             self.clock = float(message["clock"])
@@ -33,5 +31,4 @@ class View:
         self.session.show(self, message.get("camera"))
 
     def options(self):
-        """The options of a render for this page."""
         return self.session.options(self.clock)

@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The scene with another camera: a short file that includes the scene and states the camera. POV-Ray takes the last camera of a scene, so
-the scene's own file stays unchanged."""
+"""The scene with another camera: a file that includes the scene and states the camera, because POV-Ray takes the last one."""
 
 import os
 import re
@@ -14,7 +13,6 @@ VECTORS = ("location", "direction", "right", "up")
 
 
 def search(settings, folder):
-    """Search path of the scene's include files."""
     places = {"includes": INCLUDE, "beside": os.path.dirname(settings.scene)}
     return [f"+L{quoted(nameable(place, folder, link))}" for link, place in places.items()]
 
@@ -24,7 +22,7 @@ def vector(values):
 
 
 def write(folder, scene, camera, inside, name="scene"):
-    """Writes the file; `inside` is the rest of the camera. Returns its path."""
+    """`inside`: rest of the camera. Returns its path."""
     text = open(scene, encoding="latin-1").read()
     version = scene_text.version_of(text)
     included = str(scene)

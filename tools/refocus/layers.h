@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file layers.h
-/// Picture and layers of a tilt_lens camera, and the blur for another plane of sharp focus.
+/// Picture, layers, and the blur for another plane of sharp focus.
 ///
-/// A film point's chief ray leaves the lens centre C along d, scaled to the depth 1. Its point at the depth z has the signed blur K (1/z -
-/// N.d / (D - N.C)) pixels, where N.X = D is the plane of sharp focus: the vergence of the point minus that of the plane, by the thin lens
-/// equation, which holds for a tilted lens, too. K is the same for all pixels; it follows from the layer `blur` and the plane in the file's
-/// header.
+/// A chief ray leaves the lens centre C along d, of depth 1. At the depth z the signed blur is K (1/z - N.d / (D - N.C)) pixels, for the
+/// plane N.X = D: a difference of vergences, also for a tilted lens. K is the same for all pixels, from the layer `blur` and the header's
+/// plane.
 
 #ifndef REFOCUS_LAYERS_H
 #define REFOCUS_LAYERS_H
@@ -56,8 +55,8 @@ struct Layers
     double fStop = 0.0;  ///< of the render
     double blurFactor = 0.0;  ///< K above, pixels times scene units
 
-    /// Signed blur in pixels of a pixel's first surface, for another plane of sharp focus.
-    /// @throws Mistake  the plane passes through the lens centre
+    /// In pixels.
+    /// @throws Mistake the plane passes through the lens centre
     double BlurWith(const Plane& plane, std::size_t pixel) const;
 };
 

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Blurs a picture for another plane of sharp focus or f-number, from its layers: a preview, see docs/refocus.md.
+// A preview of another plane of sharp focus or f-number, see docs/refocus.md.
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace
 
 using namespace refocus;
 
-constexpr double kLargest = 200.0;  // diameter of a disc in pixels: the time grows with its square
+constexpr double kLargest = 200.0;  // pixels: the time grows with its square
 
 struct Arguments
 {
@@ -47,7 +47,7 @@ Plane NewPlane(const Arguments& arguments, const Layers& layers)
     return {layers.focus.normal, Dot(layers.focus.normal, layers.positions[pixel])};
 }
 
-/// Diameters of the discs that turn the existing blur into the new one; warns of pixels for which that is impossible.
+/// From the existing blur to the new one; warns of impossible pixels.
 std::vector<float> Missing(const Layers& layers, const Plane& plane, double scale)
 {
     std::vector<float> diameters;

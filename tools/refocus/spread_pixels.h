@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file spread_pixels.h
-/// Blurs each pixel by a disc of its own.
 
 #ifndef REFOCUS_SPREAD_PIXELS_H
 #define REFOCUS_SPREAD_PIXELS_H
@@ -14,10 +13,9 @@
 namespace refocus
 {
 
-/// Spreads each pixel's value evenly over a disc. A farther pixel covers a nearer one only as far as that is blurred itself, so that a
-/// sharp object keeps its edge before a blurred background.
-/// @param diameters  of the discs, pixels; up to 1 the pixel stays unchanged
-/// @param depth      decides which of two pixels is nearer; any unit, may be infinite
+/// Evenly. A farther pixel covers a nearer one only as far as that is blurred, so that sharp edges stay.
+/// @param diameters pixels; up to 1 the pixel stays unchanged
+/// @param depth any unit, may be infinite
 Picture Spread(const Picture& picture, const std::vector<float>& diameters, const std::vector<float>& depth);
 
 } // namespace refocus

@@ -1,8 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The user's choices in the page's address, behind its #, so that a reload, Back and Forward, and a second tab have them: JSON in base64url.
-/// The browser does not send this part to the program.
+/// The user's choices behind the address's #, for reload, Back, Forward and further tabs: JSON in base64url, never sent.
 
 import { MOST, PLAIN } from "./model.js";
 
@@ -20,7 +19,6 @@ const MEMBERS = {
 };
 const isBlock = block => Object.entries(PLAIN).every(([name, plain]) => (MEMBERS[name] ?? (Array.isArray(plain) ? isVector : isNumber))(block?.[name]));
 
-/// True for a value of the form of Model.state.
 export function isState(state) {
     return isBlock(state?.block) && ["location", "direction", "right", "up", "sky"].every(name => isVector(state.camera?.[name])) &&
         areVectors(state.picks, 0, MOST) && ["one", "three", "more"].includes(state.mode) &&
@@ -36,7 +34,6 @@ export function markOf(text) {
     return (mark >>> 0).toString(16);
 }
 
-/// @param kept  any JSON
 export function writeAddress(kept) {
     const bytes = new TextEncoder().encode(JSON.stringify(kept));
     const text = btoa(Array.from(bytes, byte => String.fromCharCode(byte)).join(""));

@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The page: connects the model, the live picture, the knobs and the program.
-
 import { solve } from "./lens.js";
 import { unit } from "./vector.js";
 import { Model } from "./model.js";
@@ -36,14 +34,11 @@ let ownChange = false;   // the next camera of the scene is one that this page h
 let changedFiles = "";   // files whose change led to this preview
 let kept = readAddress(); // value in the address, until the first scene
 
-// ---- changes ----
-
 model.remembered = () => {
     showBack();
     keep();
 };
 
-/// Called after each change of the model.
 model.changed = () => {
     if (!model.lens || !blur || !scene)
         return;
@@ -62,14 +57,12 @@ model.changed = () => {
 
 const showSide = () => drawSide(find("side"), model.lens, surfaceSection(model.lens, (x, y) => blur.inverseDepthAt(x, y)));
 
-/// Shows the current activity. While a preview is made for changed files, names them.
 function status(words) {
     find("status").textContent = changedFiles && words ? `${changedFiles} changed: ${words}` : words.charAt(0).toUpperCase() + words.slice(1);
 }
 
 const showBack = () => (find("back").disabled = model.past.length < 2);
 
-/// Remarks beside the knobs.
 function say() {
     const remarks = { ...model.remarks(), ...(model.error ? { [model.error.knob]: model.error.message } : {}) };
     for (const place of document.querySelectorAll("[data-said]"))
@@ -101,8 +94,6 @@ function advice() {
     return "All of these are sharp. Drag a point, or click to move the nearest.";
 }
 
-// ---- messages of the program ----
-
 function takeScene(message) {
     if (isOfAnotherTime(message))
         return;
@@ -118,7 +109,7 @@ function takeScene(message) {
     cameras.show(message, index ?? message.used);
     blur.gamma = message.gamma === null || message.gamma === "sRGB" ? 0 : message.gamma;
     knobs ??= buildKnobs(find("knobs"), model, message.lenses, () => model.remember());
-    // the same camera after a change elsewhere in the scene keeps the lens being chosen
+    // the same camera, changed elsewhere: the lens stays
     takeView(view);
     if (index !== null)
         askForCamera();
@@ -126,7 +117,6 @@ function takeScene(message) {
         complain({ message: "This camera is not perspective. Only the perspective camera has a lens." });
 }
 
-/// Requests the scene at the clock that the address holds, if this is another.
 function isOfAnotherTime({ animated, clock: now, clocks: [least, most] }) {
     const { clock } = kept ?? {};
     if (!animated || !Number.isFinite(clock) || clock === now || clock < least || clock > most)
@@ -136,7 +126,7 @@ function isOfAnotherTime({ animated, clock: now, clocks: [least, most] }) {
     return true;
 }
 
-/// Names items of the scene's camera that neither the live nor the true picture shows.
+/// Shown by neither the live nor the true picture.
 function showLeftOut() {
     const { bokeh, normal } = scene.view;
     const items = [bokeh && "bokeh picture", normal && "normal"].filter(Boolean).join(" and ");
@@ -144,18 +134,18 @@ function showLeftOut() {
     find("left-out").textContent = items && words;
 }
 
-/// The camera itself as text, without its place in the scene.
+/// Without its place in the scene.
 function signatureOf(view) {
     const { file, line: place, offset, own, kept: items, ...camera } = view;
     return JSON.stringify(camera);
 }
 
-/// Starts with a camera of the scene, unless the page already shows it or has just written it.
+/// Unless the page shows it or has just written it.
 function takeView(view) {
     const signature = signatureOf(view);
     const { location, direction, right, up } = view, from = JSON.stringify([location, unit(direction), right, up]);
     const seen = startedFor === signature, written = ownChange;
-    // between the marks of a focus pull the page says which lens is shown, also where the scene has the pull by now
+    // between the marks of a focus pull, names the shown lens
     const pulled = ownClock && film.keys.length > 1 && startedFrom === from;
     startedFor = signature;
     startedFrom = from;
@@ -173,13 +163,13 @@ function takeView(view) {
     model.remember();
 }
 
-/// Writes the choices into the address, unless the focus still waits for the preview.
+/// Unless the focus waits for the preview.
 function keep() {
     if (!model.open && !model.error)
         writeAddress({ of: markOf(startedFor), chosen, clock: cameras.animated ? scene.clock : null, state: model.state, pair: pair.kept, keys: film.keys });
 }
 
-/// The choices that the address has kept, if they are of the shown camera.
+/// If they are of the shown camera.
 function takeKept() {
     const found = kept;
     kept = null;
@@ -195,7 +185,6 @@ function takeKept() {
         model.refuse("points", "The address holds a lens of another camera or scene. This is the scene's own.");
 }
 
-/// Requests a preview of the chosen camera.
 function askForCamera() {
     const { view } = scene, lens = view.block ? solve(view, view.block) : view;
     const { location } = view, { direction, right, up } = lens;
@@ -226,7 +215,7 @@ function takeFileState(message) {
     chosen = message.chosen;
 }
 
-/// For a scene without a lens: focuses on the surface at the picture's centre, or near it.
+/// Without a lens: the surface at the picture's centre, or near it.
 function supposeFocus() {
     for (const [x, y] of [[0, 0], [0, -0.15], [0, -0.3], [0.2, -0.2], [-0.2, -0.2], [0, -0.45], [0, 0.2]]) {
         const point = live.surfaceAt(x, y);
@@ -267,8 +256,6 @@ const takes = {
     progress: message => message.share < 1 && status(`preview ${Math.floor(100 * message.share)} %`),
     changed: message => (changedFiles = message.files.join(", ")),
 };
-
-// ---- start ----
 
 const stage = buildStage(model, {
     pointAt: (x, y) => live.surfaceAt(x, y),

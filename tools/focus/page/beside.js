@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The picture of the other lens beside that of the shown one, each with its numbers. Both show the points of the shown lens.
+/// The other lens's picture and numbers, with the shown lens's points.
 
 import { blurOfPoint, project } from "./lens.js";
 import { openBlur } from "./blur.js";
@@ -9,7 +9,6 @@ import { pixels, stop } from "./more.js";
 
 const degrees = value => `${Number(value.toFixed(2)) + 0}°`;
 
-/// A lens's numbers, and its blur at points.
 function figuresOf(model, points) {
     const { tilt, swing, fStop } = model.numbers(), blurs = points.map(point => blurOfPoint(model.lens, point, model.width));
     return [`tilt ${degrees(tilt)}, swing ${degrees(swing)}, ${stop(fStop)}`, blurs.map(pixels)];
@@ -24,7 +23,6 @@ function showFigures(place, name, shown, [numbers, blurs]) {
     place.replaceChildren(lens, ` ${numbers}`, list);
 }
 
-/// Marks the points in the other picture.
 function showMarks(place, { lens }, points, blurs) {
     place.replaceChildren(...points.map((point, i) => {
         const { x, y, depth } = project(lens, point), mark = document.createElement("span");
@@ -38,7 +36,7 @@ function showMarks(place, { lens }, points, blurs) {
     }));
 }
 
-/// @param pick  (x, y) of the film: a click into the other picture, whose lens is shown by then
+/// @param pick (x, y) of the film in the other picture, whose lens is shown by then
 /// @returns show()
 export function buildBeside(find, pair, live, pick) {
     const { model } = pair, picture = find("other-picture"), box = find("beside"), radios = document.querySelectorAll("input[name=pair]");

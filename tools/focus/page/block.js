@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The lens as text for a scene: the `tilt_lens` block in three forms, "points", "plane" and "angles", and its camera items.
+/// The lens as text: the `tilt_lens` block by "points", "plane" or "angles", and its camera items.
 
 import { along, cross, dot, length, subtract, times, unit } from "./vector.js";
 import { planeOf, turnOf, widestStop } from "./lens.js";
@@ -10,7 +10,7 @@ import { WORLD, movedDirection, movedPoint, planeBefore } from "./place.js";
 
 const DIGITS = 7;
 
-/// items of the block that the program's answer must match: always, and by family
+/// compared with the program's answer: always, and by family
 const EXPECTED = ["family", "filmWidth", "focalLength", "sceneUnit", "shift", "fStop", "blades", "bladesAngle"];
 const FOCUS = { lensTurn: ["tilt", "swing", "focalPoint"], plane: ["planeNormal", "planeDistance"], points: ["points"], sharp: ["sharpPoints", "sharpWithin"] };
 
@@ -29,13 +29,13 @@ function text(value) {
     return /e/.test(plain) ? value.toExponential().replace("e+", "e") : plain;
 }
 
-/// A number with as few digits as leave it within a fifth of a millionth.
+/// Within a fifth of a millionth.
 const short = value => [1, 2, 3, 4, 5, 6].map(digits => Number(value.toPrecision(digits))).find(few => Math.abs(few - value) < 2e-7 * Math.abs(value)) ??
     rounded(value);
 
 const roundedVector = (v, size = length(v)) => v.map(x => rounded(x, size));
 
-/// Three points of the plane of sharp focus: the picked ones, or else points near the picture's content.
+/// Picked, or near the picture's content.
 export function threePoints(model) {
     if (model.block.family === "points")
         return model.block.points;
@@ -47,7 +47,7 @@ export function threePoints(model) {
     return [first, along(first, size, x), along(first, size, y)];
 }
 
-/// A world point in the coordinates of a place, with as many digits as the distance from the lens needs.
+/// With digits for its distance from the lens.
 const pointIn = ({ inverse }, lens) => world => {
     const local = movedPoint(inverse, world);
     return roundedVector(local, length(subtract(local, movedPoint(inverse, lens.location))));
@@ -59,7 +59,6 @@ function widestBlur({ within, onFilm, width }, { filmWidth }) {
     return onFilm ? rounded(blur) : blur;
 }
 
-/// The block with rounded numbers, in a form, in the coordinates of a place.
 function roundedBlock(model, form, place) {
     const { matrix, inverse, scale } = place, point = pointIn(place, model.lens);
     const { block, lens } = model, location = movedPoint(inverse, lens.location);
@@ -109,11 +108,10 @@ function expected(block, { matrix, inverse, scale }, camera, { width }) {
     return Object.fromEntries([...EXPECTED, ...FOCUS[block.family]].map(name => [name, world[name]]));
 }
 
-/// The `angle` that gives a camera's direction its length.
 const angleOf = ({ direction, right }, { inverse }) =>
     2 * Math.atan(0.5 * length(movedDirection(inverse, right)) / length(movedDirection(inverse, direction))) * 180 / Math.PI;
 
-/// @param place  coordinates of the text: those of the camera's items, or WORLD
+/// @param place coordinates of the text, or WORLD
 /// @returns { block: text, items: camera items (text, or null to remove), expect: the block that the program must find }
 export function describe(model, form, place = model.place) {
     const said = roundedBlock(model, form, place), { camera } = model;
@@ -149,20 +147,19 @@ export function describe(model, form, place = model.place) {
     };
 }
 
-/// The request to write: text for the camera, and a block for a camera of the same identifier without transformations, which takes no
-/// camera items.
+/// Text for the camera, and a block for a camera without transformations, which takes no items.
 export function change(model, form) {
     const { block, expect } = describe(model, form === "angles" ? "plane" : form, { ...WORLD, scale: model.place.scale });
     return { ...describe(model, form), behind: { block, expect } };
 }
 
-/// Times at which a focus pull is tried in the scene: those of some keys, and one between two.
+/// Some keys, and one time between two.
 function timesToTry(keys) {
     const times = (keys.length <= 4 ? keys : [keys[0], keys[1], keys.at(-1)]).map(key => key.time);
     return [...times, keys[0].time + (keys[1].time - keys[0].time) / 4];
 }
 
-/// A focus pull: its keys as text before the camera, and the block that uses them.
+/// Keys before the camera, and the block.
 /// @returns as describe(), and { head: text, checks: [{ time, expect }] }
 export function describePull(model, keys) {
     const { place, lens } = model, plain = describe(model, "plane"), point = pointIn(place, lens);
@@ -182,8 +179,7 @@ export function describePull(model, keys) {
     };
 }
 
-/// The text to copy: camera items, then the block.
-/// @param kept  further items of the block, as text
+/// @param kept further items of the block, as text
 export function copyText({ items, block }, kept = []) {
     const lines = Object.entries(items).filter(([, value]) => value !== null).map(([name, value]) => `${name} ${value}`);
     return [...lines, block.replace(/}$/, [...kept.map(item => `  ${item}\n`), "}"].join(""))].join("\n");

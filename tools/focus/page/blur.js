@@ -1,10 +1,9 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The live picture: keeps the preview on the graphics processor and draws it through a lens.
+/// The live picture: draws the preview through a lens on the graphics processor.
 ///
-/// A change draws one pass at once, at a size that the machine can draw in time. While nothing changes, further passes at full size are
-/// averaged until the picture is smooth.
+/// A change draws one pass at reduced size; at rest, passes at full size are averaged.
 
 import { along, cross, dot, length, times, unit } from "./vector.js";
 import { axisFocusOf, blurPerVergence, frameMap, inFrame, planeOfBlur } from "./lens.js";
@@ -21,10 +20,10 @@ const STRIP = 20;          // milliseconds for a part of a pass at full size; a 
 const LEAST_STRIPS = 16;   // most parts of a pass
 const PATIENCE = 15000;    // milliseconds of work after which the picture counts as smooth
 const PEAKING = [1, 0.05, 0.35];
-/// Near limit, plane of sharp focus and far limit, as displayed: the colours of show_planes.
+/// Near limit, plane of sharp focus, far limit: the colours of show_planes.
 const TINTS = [[0.95, 0.50, 0.05], [1, 1, 1], [0.05, 0.30, 0.95]];
 
-/// Points of the diaphragm, and of the disc around it: the pairs of a low-discrepancy sequence (Roberts's R2), mapped to the shape.
+/// Points of the diaphragm and of the disc around it: Roberts's R2 sequence, mapped to the shape.
 function lensPointList(corners, turn) {
     const list = new Float32Array(4 * LIST), corner = k => turn + 2 * Math.PI * k / corners;
     for (let i = 0; i < LIST; i++) {
@@ -40,8 +39,7 @@ function lensPointList(corners, turn) {
     return list;
 }
 
-/// 1/distance of the surface at x, y of a lens's film, from a preview { values, width, height, frame }; 0 if there is none or it has not
-/// arrived, NaN outside the preview.
+/// 1/distance at x, y of a film; 0 without a surface, NaN outside the preview { values, width, height, frame }.
 export function inverseDepthOf({ values, width, height, frame }, lens, x, y) {
     const [ox, oy, fx, fy] = frameMap(lens, frame);
     const column = Math.floor((ox + fx * x + 0.5) * width), row = Math.floor((0.5 - oy - fy * y) * height);
@@ -49,7 +47,7 @@ export function inverseDepthOf({ values, width, height, frame }, lens, x, y) {
     return inside ? values[(row * width + column) * 4 + 3] : NaN;
 }
 
-/// Opens the canvas. @throws Error  without WebGL2 and float textures
+/// @throws Error without WebGL2 and float textures
 export function openBlur(canvas) {
     const gl = canvas.getContext("webgl2", { antialias: false, preserveDrawingBuffer: true });
     if (!gl || !gl.getExtension("EXT_color_buffer_float"))
@@ -67,7 +65,7 @@ class Blur {
         this.reachTexture = newTexture(gl);
         this.lensPoints = newTexture(gl);
         this.small = newTarget(gl);                  // during motion
-        this.means = [newTarget(gl), newTarget(gl)]; // mean of the passes so far, and the next
+        this.means = [newTarget(gl), newTarget(gl)]; // and the next
         this.shown = this.small;
         this.scale = 0.25;
         this.restart();
@@ -83,13 +81,10 @@ class Blur {
         this.setBlades(0, 0);
     }
 
-    /// Discards the passes so far.
     restart() {
         this.pass = this.row = this.spent = 0;
         this.undisplayed = false; // a pass is complete but not yet shown
     }
-
-    // ---- what is drawn ----
 
     /// Starts a preview of that size, empty or with the values of another picture of it.
     begin(width, height, values = null) {
@@ -118,19 +113,16 @@ class Blur {
         this.restart();
     }
 
-    /// See inverseDepthOf().
     inverseDepthAt(x, y) {
         return inverseDepthOf(this, this.lens, x, y);
     }
 
-    /// Uploads the reach of blur.
     updateReach() {
         const gl = this.gl, { columns, rows } = this.reach;
         gl.bindTexture(gl.TEXTURE_2D, this.reachTexture);
         gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32F, columns, rows, 0, gl.RED, gl.FLOAT, this.reach.of(this.lens, this.frame));
     }
 
-    /// Sets the lens to draw with, and the preview's frame.
     setLens(lens, frame) {
         this.lens = lens;
         this.frame = frame;
@@ -138,20 +130,17 @@ class Blur {
         this.restart();
     }
 
-    // ---- drawing ----
-
     get blurs() {
         return this.show.blur && this.lens.diameter > 0;
     }
 
-    /// True if another call would change the picture.
     get unfinished() {
         if (!this.values || !this.lens)
             return false;
         return this.undisplayed || this.pass === 0 || (this.blurs && this.pass < PASSES && this.spent < PATIENCE);
     }
 
-    /// Draws: the whole picture at reduced size during motion, else a part of another pass at full size.
+    /// In motion the whole picture, reduced; else a part of a pass.
     draw(moving) {
         if (!this.values || !this.lens || !this.frame)
             return;
@@ -179,9 +168,8 @@ class Blur {
         this.undisplayed = false;
     }
 
-    /// Adapts the size of the next picture or part to the time it may take.
     adapt(moving, part, time) {
-        // the first picture after a rest also pays for the change of size
+        // the change of size takes time as well
         const usual = this.wasMoving || time > 2 * WANTED;
         this.work = time;
         this.wasMoving = moving;
@@ -193,7 +181,7 @@ class Blur {
         this.spent += part ? time : 0;
     }
 
-    /// Resolves when the graphics processor is done with a part of a pass (`inside`) or with the picture.
+    /// After a part of a pass (`inside`) or the picture.
     wait(inside) {
         const gl = this.gl;
         gl.readPixels(0, 0, 1, 1, gl.RGBA, inside ? gl.FLOAT : gl.UNSIGNED_BYTE, inside ? new Float32Array(4) : new Uint8Array(4));
@@ -219,7 +207,7 @@ class Blur {
         }
     }
 
-    /// Draws rows of a pass, counted from below; `before` is the mean of the passes before.
+    /// From below; `before`: mean of earlier passes.
     gather(target, before, size, taps, from, to) {
         const gl = this.gl;
         setSize(gl, target, size);
@@ -242,7 +230,7 @@ class Blur {
         gl.disable(gl.SCISSOR_TEST);
     }
 
-    /// The diaphragm: number of corners, 0 for a round one, and the direction of the first, radians.
+    /// Corners (0: round), direction of the first, radians.
     setBlades(corners, turn) {
         if (this.blades?.[0] === corners && this.blades[1] === turn)
             return;
@@ -278,7 +266,6 @@ class Blur {
         gl.drawArrays(gl.TRIANGLES, 0, 3);
     }
 
-    /// The scene's value for a displayed value.
     sceneValue(shown) {
         if (this.gamma === 0)
             return shown;
@@ -286,7 +273,7 @@ class Blur {
         return light ** (1 / this.gamma);
     }
 
-    /// Vectors in the plane of sharp focus whose length is the inverse of a grid cell: 1, 2 or 5 times a power of ten.
+    /// Inverse in length to a grid cell: 1, 2 or 5 times a power of ten.
     grid() {
         const { lens } = this, normal = unit(lens.focus);
         const level = along(lens.axisRight, -dot(lens.axisRight, normal), normal);
@@ -298,7 +285,7 @@ class Blur {
         return { x: times(1 / this.gridSpacing, x), y: times(1 / this.gridSpacing, cross(normal, x)) };
     }
 
-    /// Activates a shader variant and sets the common uniforms; returns setters for textures and uniforms.
+    /// Returns setters for textures and uniforms.
     use(shader, parts, size) {
         const gl = this.gl, name = [shader === GATHER ? "gather" : "display", ...parts].join(" "), { lens } = this;
         const { program, places } = (this.programs[name] ??= newProgram(gl, shader, parts));

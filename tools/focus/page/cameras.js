@@ -1,13 +1,11 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The page's head: the scene's name, the shown camera, and the clock.
-
 const CLOCK_STEPS = 100;
 
 const nameOf = ({ line, own, file }) => `line ${line}${own ? "" : ` of ${file.split("/").at(-1)}`}`;
 
-/// @param on  { camera(index): another camera was chosen, clock(value): the clock was set, moved(value): the clock moves }
+/// @param on { camera(index), clock(value), moved(value): the clock moves }
 export function buildCameras(find, on) {
     const choice = find("camera"), clock = find("clock"), clocks = [clock, find("time")]; // in the head, and beside the focus pull
     let cameras = [];
@@ -30,7 +28,7 @@ export function buildCameras(find, on) {
     return {
         time,
         setTime,
-        /// Shows a scene. @param index  of the shown camera, or null
+        /// @param index of the shown camera, or null
         show({ name, cameras: all, animated, clock: now, clocks: [least, most] }, index) {
             this.animated = animated;
             cameras = all;
@@ -50,7 +48,7 @@ export function buildCameras(find, on) {
                 Object.assign(slider, { min: least, max: most, step: (most - least) / CLOCK_STEPS || 1 });
             setTime(animated || now !== null ? now ?? least : clock.value);
         },
-        /// Items of the shown camera's block that the page does not write, as text.
+        /// As text; the page does not write them.
         kept: () => cameras[Number(choice.value)]?.kept ?? [],
     };
 }

@@ -1,14 +1,14 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// Numbers of about 32 digits, each the sum of two doubles, [high, low], and vectors of three of them (T. J. Dekker, "A floating-point
-/// technique for extending the available precision", Numerische Mathematik 18, 1971).
+/// Numbers of 32 digits, sums of two doubles, [high, low] (T. J. Dekker, "A floating-point technique for extending the available
+/// precision", Numerische Mathematik 18, 1971).
 
 export const exact = value => [value, 0];
 export const ZERO = exact(0);
 export const NO_VECTOR = [ZERO, ZERO, ZERO];
 
-/// a + b with its rounding error; `quick` where |a| is not below |b|.
+/// With its rounding error; `quick`: |a| >= |b|.
 function quickSum(a, b) {
     const sum = a + b;
     return [sum, b - (sum - a)];
@@ -56,8 +56,6 @@ export function quotient(a, b) {
 
 export const isLess = (a, b) => minus(a, b)[0] < 0;
 export const magnitude = a => (a[0] < 0 ? negative(a) : a);
-
-// ---- vectors ----
 
 export const exactVector = v => v.map(exact);
 export const rounded = v => v.map(x => x[0]);

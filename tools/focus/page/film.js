@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// A focus pull: lenses marked at times of the clock, the film of them played live, and its text for the scene.
+/// A focus pull: marked lenses, their film, and its text.
 
 import { copyText, describePull, threePoints } from "./block.js";
 import { MOST_KEYS, pullAt, withKey } from "./pull.js";
@@ -11,13 +11,13 @@ const SECONDS = 4; // from the first key to the last
 
 const short = value => String(Number(value.toPrecision(4)));
 
-/// @param clock  { time(), setTime(time) }
-/// @param kept   () -> items of the scene's own block that stay in it, as text
-/// @param ask    sends a message to the program
-/// @param done   called when the keys have changed
+/// @param clock { time(), setTime(time) }
+/// @param kept () -> further items of the scene's block
+/// @param ask sends a message
+/// @param done the keys have changed
 export function buildFilm(find, model, clock, kept, ask, done) {
     const list = find("keys"), said = find("pull-said"), text = find("pull-text");
-    let keys = [], before = null, copied = ""; // `before`: the state to which the end of the film returns
+    let keys = [], before = null, copied = ""; // `before`: restored at the film's end
 
     const at = time => model.pull(pullAt(keys, time, model.camera.location));
     const change = next => {
@@ -62,8 +62,6 @@ export function buildFilm(find, model, clock, kept, ask, done) {
     };
     find("pull").ontoggle = show;
 
-    // ---- the film ----
-
     const stop = () => {
         const { state, time } = before;
         before = null;
@@ -91,8 +89,6 @@ export function buildFilm(find, model, clock, kept, ask, done) {
         step(performance.now());
     };
 
-    // ---- the text ----
-
     const request = write => {
         const { head, block, items, checks } = describePull(model, keys);
         return { do: "pull", write, head, block, items, checks };
@@ -110,7 +106,6 @@ export function buildFilm(find, model, clock, kept, ask, done) {
 
     return {
         show,
-        /// The clock has been moved by hand: shows the lens of that time.
         moved(time) {
             if (keys.length >= 2 && !before)
                 at(time);

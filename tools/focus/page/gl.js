@@ -5,8 +5,8 @@
 
 import { EVERYWHERE } from "./shaders.js";
 
-/// A program that runs a fragment shader for each pixel. @param defines  names for its #ifdef
-/// @throws Error  it does not compile
+/// @param defines names for its #ifdef
+/// @throws Error it does not compile
 export function newProgram(gl, fragment, defines) {
     const variant = fragment.replace("\n", `\n${defines.map(name => `#define ${name}\n`).join("")}`);
     const program = gl.createProgram();
@@ -24,7 +24,6 @@ export function newProgram(gl, fragment, defines) {
     return { program, places: {} };
 }
 
-/// A texture without interpolation.
 export function newTexture(gl) {
     const texture = gl.createTexture();
     gl.bindTexture(gl.TEXTURE_2D, texture);

@@ -1,12 +1,12 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The knobs beside the picture: each a slider and a number that show and change the model.
+/// The knobs: a slider and a number each.
 
 const log = { to: Math.log, from: Math.exp };
 const plain = { to: x => x, from: x => x };
 
-/// name, words, unit, least, most, digits, scale of the slider, getter, setter; `said`: knob whose remarks it shows
+/// name, words, unit, least, most, digits, scale of the slider, getter, setter; `said`: knob of the remarks
 const GROUPS = [
     ["Lens", [
         { id: "tilt", words: "Tilt", unit: "°", least: -15, most: 15, digits: 2, said: "turn", title: "Leans the top of the lens toward the scene",
@@ -52,10 +52,9 @@ function element(name, properties, ...children) {
     return made;
 }
 
-/// Builds the knobs.
-/// @param lists   { lenses, films } of tilt_lens.inc
-/// @param done    called when a knob is released
-/// @returns show(), which updates all knobs from the model
+/// @param lists { lenses, films } of tilt_lens.inc
+/// @param done a knob is released
+/// @returns show()
 export function buildKnobs(place, model, lists, done) {
     place.replaceChildren();
     const shows = [];
@@ -98,13 +97,12 @@ function choice(group, knob, model, lists, done) {
     };
 }
 
-/// Parses a number with a point or a comma; NaN for other texts.
+/// Point or comma; NaN for other texts.
 export function numberIn(written) {
     const plain = written.trim().replace(",", ".");
     return /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(plain) ? Number(plain) : NaN;
 }
 
-/// Describes the numbers that a knob takes.
 function wantedOf(knob) {
     if (knob.id === "angle")
         return { allows: value => value > 0 && value < 180, words: "an angle of more than 0 and less than 180 is needed" };
@@ -117,7 +115,7 @@ function slider(group, knob, model, lists, done) {
     const scale = knob.slide ?? plain, least = scale.to(knob.least), most = scale.to(knob.most);
     const step = knob.slide ? (most - least) / 400 : knob.digits > 1 ? 0.1 : 0.5;
     const range = element("input", { type: "range", min: least, max: most, step, ariaLabel: `${knob.words}, slider` });
-    // a text field, because a number field yields nothing for a number with a comma
+    // a number field yields nothing for a comma
     const number = element("input", { type: "text", inputMode: "decimal", autocomplete: "off", id: knob.id });
     range.oninput = () => knob.turn(model, Number(scale.from(Number(range.value)).toPrecision(4)), lists);
     range.onchange = done;

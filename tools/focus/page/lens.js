@@ -1,9 +1,8 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// Solves a camera and a `tilt_lens` block for the lens, its film and its plane of sharp focus. The formulas are those of docs/optics.md
-/// and povray-src/tilt_lens/camera/optics.cpp, in doubles; tests/focus compares the two. Lengths are in scene units unless a name says mm,
-/// angles in degrees, vectors in world coordinates.
+/// Solves camera and block for lens and plane of sharp focus as docs/optics.md does, in doubles; tests/focus compares it with the library.
+/// Scene units unless mm is said, degrees, world coordinates.
 ///
 ///     camera   { location, direction, right, up }
 ///     block    { family: "lensTurn" | "focusTurn" | "plane" | "points" | "sharp", filmWidth, focalLength (mm, or null: the
@@ -15,12 +14,11 @@ import { planeOfLeastBlur } from "./sharp.js";
 import { add, along, cross, dot, length, subtract, times, unit } from "./vector.js";
 
 const DEGREE = Math.PI / 180;
-/// Largest rounding error, relative to the operands, of a difference that ought to be 0.
+/// Relative to the operands, of a difference that ought to be 0.
 const ROUNDING = 1e-14;
-/// No lens in air has a smaller f-number.
 const WIDEST_STOP = 0.5;
 
-/// A block that no lens fulfils. `knob` names the knob beside which the message appears.
+/// No lens fulfils it. The message appears beside `knob`.
 export class LensError extends Error {
     constructor(knob, message) {
         super(message);
@@ -28,7 +26,7 @@ export class LensError extends Error {
     }
 }
 
-/// The camera's axes: right, up, and the film's normal into the scene; orthonormal.
+/// Right, up, and the film's normal into the scene.
 export function axesOf(camera) {
     const right = unit(camera.right);
     const upAcross = along(camera.up, -dot(camera.up, right), right);
@@ -46,7 +44,7 @@ export function axesOf(camera) {
 const toCamera = (axes, v) => [dot(v, axes.right), dot(v, axes.up), dot(v, axes.axis)];
 const toWorld = (axes, v) => add(add(times(v[0], axes.right), times(v[1], axes.up)), times(v[2], axes.axis));
 
-/// Unit normal, in camera axes, of a plane turned about the horizontal and the vertical axis.
+/// In camera axes, turned about the horizontal and the vertical axis.
 function turnedNormal(tilt, swing, knob, what) {
     if (!(Math.abs(tilt) < 90 && Math.abs(swing) < 90))
         throw new LensError(knob, `${what} must be turned by less than 90 degrees.`);
@@ -54,7 +52,7 @@ function turnedNormal(tilt, swing, knob, what) {
     return unit([-Math.sin(s) * Math.cos(t), -Math.sin(t) * Math.cos(s), Math.cos(t) * Math.cos(s)]);
 }
 
-/// k = n/d of the plane n.X = d about the lens centre; n is a unit vector.
+/// n/d of the plane n.X = d; n is a unit vector.
 function focusOfPlane(normal, distance, reach, knob) {
     if (!(Math.abs(distance) > ROUNDING * reach))
         throw new LensError(knob, "This plane passes through the lens. Move it, or one of its points.");
@@ -68,7 +66,6 @@ function focalPointInCamera(axes, camera, block) {
     return point;
 }
 
-/// k that leaves the least greatest blur over the sharp points.
 function focusOfSharpPoints(axes, camera, block) {
     const ways = block.sharpPoints.map(point => subtract(point, camera.location));
     const behind = ways.findIndex(way => !(dot(way, axes.axis) > ROUNDING * (length(way) + length(camera.location))));
@@ -80,7 +77,6 @@ function focusOfSharpPoints(axes, camera, block) {
     return toCamera(axes, k);
 }
 
-/// k for the families that state the plane of sharp focus.
 function givenFocus(axes, camera, block) {
     if (block.family === "sharp")
         return focusOfSharpPoints(axes, camera, block);
@@ -104,7 +100,6 @@ function givenFocus(axes, camera, block) {
     return focusOfPlane(normal, dot(normal, point), length(point) + length(camera.location), "focusTurn");
 }
 
-/// Lens turned as stated and focused on a point P, in camera axes.
 function solveLensTurn(t, P, focalLength, angleFilmDistance) {
     const distance = dot(P, t), aside = t[0] * P[0] + t[1] * P[1];
     if (!(distance > 0))
@@ -153,15 +148,14 @@ function solveFor(axes, camera, block, millimetre) {
     return solveLensTurn(t, focalPointInCamera(axes, camera, block), focalLength, angleFilmDistance);
 }
 
-/// The lens plane's right and up times the radius, by the smallest rotation that takes the axis to t.
+/// Times the radius, by the smallest rotation of the axis to t.
 function spanOfLens(axes, t, radius) {
     const bend = 1 / (1 + t[2]);
     return [[1 - t[0] * t[0] * bend, -t[0] * t[1] * bend, -t[0]], [-t[0] * t[1] * bend, 1 - t[1] * t[1] * bend, -t[1]]]
         .map(v => times(radius, toWorld(axes, v)));
 }
 
-/// Solves a block for a camera.
-/// @throws LensError  no lens fulfils it
+/// @throws LensError no lens fulfils it
 export function solve(camera, block) {
     const axes = axesOf(camera), millimetre = (block.scale ?? 1) / block.sceneUnit;
     const solved = solveFor(axes, camera, block, millimetre);
@@ -184,7 +178,7 @@ export function solve(camera, block) {
     return lens;
 }
 
-/// A vector in camera axes, with rounding errors set to 0.
+/// In camera axes; rounding errors become 0.
 function inCamera(lens, v) {
     const least = ROUNDING * length(v);
     return [lens.axisRight, lens.axisUp, lens.axis].map(a => dot(v, a)).map(x => (Math.abs(x) > least ? x : 0));
@@ -198,7 +192,7 @@ export function turnOf(lens) {
     return { tilt: angle(-t[1], t[2]), swing: angle(-t[0], t[2]) };
 }
 
-/// focus_tilt and focus_swing of the plane of sharp focus; beyond 90 degrees if these items cannot state it.
+/// Beyond 90 degrees if they cannot state it.
 export function focusTurnOf(lens) {
     const k = inCamera(lens, lens.focus), side = k[2] < 0 ? -1 : 1;
     return { tilt: angle(-k[1] * side, k[2] * side), swing: angle(-k[0] * side, k[2] * side) };
@@ -210,41 +204,38 @@ export function wholeTurnOf(lens) {
     return angle(Math.hypot(t[0], t[1]), t[2]);
 }
 
-/// Distance of the hinge line from the lens, in the plane through the lens parallel to the film; Infinity for a parallel lens.
+/// In the plane through the lens parallel to the film; Infinity for a parallel lens.
 export function hingeDistanceOf(lens) {
     const k = inCamera(lens, lens.focus);
     return 1 / Math.hypot(k[0], k[1]);
 }
 
-/// Distance from the lens centre at which the plane of sharp focus crosses the axis; negative or infinite if it does not cross in front.
+/// Negative or infinite unless in front of the lens.
 export const axisFocusOf = lens => 1 / inCamera(lens, lens.focus)[2];
 
-/// Chief ray through x, y in [-0.5, 0.5]: right, up.
+/// x, y in [-0.5, 0.5], right and up.
 export const chiefRay = (lens, x, y) => along(along(lens.direction, x, lens.right), y, lens.up);
 
-/// Pixels of blur per unit of vergence, in a picture `width` pixels wide.
+/// Per vergence, in a picture `width` pixels wide.
 export const blurPerVergence = (lens, width) => lens.diameter * width / length(lens.right);
 
-/// Signed diameter of the circle of confusion, in pixels, of the point T * chief: positive before the plane of sharp focus.
+/// Signed circle of confusion, pixels, of T * chief: positive before the plane of sharp focus.
 export const blurDiameter = (lens, chief, T, width) => (1 / T - dot(lens.focus, chief)) * blurPerVergence(lens, width);
 
-/// Signed blur of a world point, in pixels.
 export function blurOfPoint(lens, point, width) {
     const X = subtract(point, lens.location), T = dot(X, lens.axis) / dot(lens.direction, lens.axis);
     return (1 - dot(lens.focus, X)) / T * blurPerVergence(lens, width);
 }
 
-/// The greatest blur of points, in pixels.
 export const greatestBlur = (lens, points, width) => Math.max(...points.map(point => Math.abs(blurOfPoint(lens, point, width))));
 
-/// The smallest f-number that keeps the sharp points of a block within a blur, in pixels.
+/// Keeps the sharp points within a blur, pixels.
 export function widestStop(camera, block, within, width) {
     const lens = solve(camera, { ...block, fStop: 1 });
     return Math.max(WIDEST_STOP, greatestBlur(lens, block.sharpPoints, width) / within);
 }
 
-/// The f-number that a lens without tilt would need for the same greatest blur of points, at its best focus; null if it cannot be so
-/// focused.
+/// For a lens without tilt at its best focus and the same greatest blur; null if impossible.
 export function stopWithoutTilt(camera, block, lens, points, width) {
     const vergences = points.map(point => 1 / dot(subtract(point, lens.location), lens.axis));
     const focalPoint = along(lens.location, 2 / (Math.min(...vergences) + Math.max(...vergences)), lens.axis);
@@ -257,38 +248,37 @@ export function stopWithoutTilt(camera, block, lens, points, width) {
     }
 }
 
-/// k of the plane of all points with this signed blur.
+/// All points with this signed blur.
 export const planeOfBlur = (lens, pixels, width) =>
     along(lens.focus, pixels / (blurPerVergence(lens, width) * dot(lens.direction, lens.axis)), lens.axis);
 
-/// The plane of sharp focus in POV-Ray's form, world coordinates.
 export function planeOf(lens) {
     const size = length(lens.focus), normal = times(1 / size, lens.focus);
     return { normal, distance: 1 / size + dot(normal, lens.location) };
 }
 
-/// Projects a world point: x, y in [-0.5, 0.5], right and up, and its distance along the axis.
+/// x, y in [-0.5, 0.5], right and up, and the distance along the axis.
 export function project(lens, point) {
     const X = subtract(point, lens.location), depth = dot(X, lens.axis);
     const [x, y] = inFrame(lens, along(times(dot(lens.direction, lens.axis) / depth, X), -1, lens.direction));
     return { x, y, depth };
 }
 
-/// Coordinates of a vector across the axis in the frame's right and up, which need not be orthogonal.
+/// Right and up need not be orthogonal.
 export function inFrame(lens, v) {
     const rr = dot(lens.right, lens.right), ru = dot(lens.right, lens.up), uu = dot(lens.up, lens.up);
     const r = dot(v, lens.right), u = dot(v, lens.up), det = rr * uu - ru * ru;
     return [(r * uu - u * ru) / det, (u * rr - r * ru) / det];
 }
 
-/// Maps film points between two frames of the same camera: [offset x, y, factor x, y].
+/// [offset x, y, factor x, y] between two frames of a camera.
 export function frameMap(lens, frame) {
     const far = v => dot(v, lens.axis), ratio = far(frame.direction) / far(lens.direction);
     const offset = inFrame({ right: frame.right, up: frame.up }, subtract(times(ratio, lens.direction), frame.direction));
     return [...offset, ratio * length(lens.right) / length(frame.right), ratio * length(lens.up) / length(frame.up)];
 }
 
-/// The smallest frame that holds the frames of lenses at one place with the same axes.
+/// For lenses at one place with the same axes.
 export function frameAround(lenses) {
     const [first] = lenses, maps = lenses.map(lens => frameMap(lens, first));
     const [x, y] = [0, 1].map(i => {
@@ -299,7 +289,7 @@ export function frameAround(lenses) {
     return { location, axis, direction: chiefRay(first, x.middle, y.middle), right: times(x.size, right), up: times(y.size, up) };
 }
 
-/// World point at x, y of the picture at a distance along the axis.
+/// At x, y of the picture, at a distance along the axis.
 export const pointAt = (lens, x, y, depth) =>
     along(lens.location, depth / dot(lens.direction, lens.axis), chiefRay(lens, x, y));
 

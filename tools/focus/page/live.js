@@ -1,8 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The live picture: receives the preview, schedules drawing and refinement, and requests a new preview when the frame has moved away from
-/// the current one.
+/// The live picture: schedules drawing, and requests a preview when the frame has moved.
 
 import { frameAround, frameMap, pointAt, solve } from "./lens.js";
 import { inverseDepthOf } from "./blur.js";
@@ -13,8 +12,8 @@ const PREVIEW_REST = 600;  // milliseconds without a change before a preview for
 const FAR = 0.02;          // of the frame: a smaller change needs no new preview
 
 export class Live {
-    /// @param ask    sends a message to the program
-    /// @param begun  called when the first part of a new preview is there
+    /// @param ask sends a message
+    /// @param begun the first part of a preview has arrived
     constructor(blur, model, ask, begun) {
         Object.assign(this, { blur, model, ask, begun });
         this.second = null;        // { blur, lens, changed }: the picture of the other lens, if both are shown
@@ -28,9 +27,7 @@ export class Live {
         this.scheduled = false;
     }
 
-    // ---- the preview ----
-
-    /// Announces a new preview. With a frame, it is of the scene as parsed before.
+    /// A frame: the scene as parsed before.
     expect({ number, frame, size }) {
         this.complete = false;
         this.readAnew ||= !frame;
@@ -39,7 +36,6 @@ export class Live {
         this.arriving = size;
     }
 
-    /// Takes a rectangle of the preview.
     take({ number, left, top, width, height, values }) {
         if (!this.ownView || number !== this.number)
             return;
@@ -57,21 +53,20 @@ export class Live {
         this.draw();
     }
 
-    /// The preview is complete.
     end() {
         this.complete = true;
         this.former = null;
         this.draw();
     }
 
-    /// Keeps the preview for clicks while the next one arrives, unless it has only just begun or the scene may have changed since.
+    /// For clicks while the next arrives, unless incomplete or outdated.
     keepFormer() {
         const { values, width, height, frame } = this.blur;
         this.former = this.readAnew ? null : this.former ?? { values, width, height, frame };
         this.readAnew = false;
     }
 
-    /// A preview's frame: the requested one, or the scene's own camera with its lens.
+    /// The requested one, or the scene's own.
     frameOf(asked) {
         if (asked)
             return { ...asked };
@@ -82,7 +77,7 @@ export class Live {
         return { location: view.location, direction: lens.direction, right: lens.right, up: lens.up };
     }
 
-    /// True if the preview was taken from the camera's location; false for a while after another camera was chosen.
+    /// False for a while after another camera was chosen.
     get fits() {
         return this.isFromHere(this.blur);
     }
@@ -91,7 +86,7 @@ export class Live {
         return Boolean(preview?.values) && String(preview.frame?.location) === String(this.model.camera.location);
     }
 
-    /// 1/distance along the axis of the surface at x, y of the film; 0 without one.
+    /// 1/distance along the axis; 0 without a surface.
     inverseDepthAt(x, y) {
         for (const preview of [this.blur, this.former]) {
             const inverse = this.isFromHere(preview) ? inverseDepthOf(preview, this.model.lens, x, y) : 0;
@@ -107,9 +102,7 @@ export class Live {
         return inverse > 0 ? pointAt(this.model.lens, x, y, 1 / inverse) : null;
     }
 
-    // ---- changes ----
-
-    /// The model has another lens. @returns true if the preview can show it
+    /// @returns true if the preview can show it
     show() {
         const { blur, model } = this;
         this.lastChange = performance.now();
@@ -122,7 +115,7 @@ export class Live {
         return true;
     }
 
-    /// Shows the picture of the other lens, a model, in a Blur of its own; none if that is null.
+    /// In a Blur of its own; null: none.
     showBeside(blur, twin) {
         if (!blur || !this.fits) {
             this.second = null;
@@ -141,7 +134,6 @@ export class Live {
         this.draw();
     }
 
-    /// Requests a new preview if the frame has moved away from the current one.
     askForFrame() {
         clearTimeout(this.timer);
         const then = this.blur.frame;
@@ -156,26 +148,20 @@ export class Live {
         }, PREVIEW_REST);
     }
 
-    /// The frame of the lens, or of both lenses.
     get wantedFrame() {
         return frameAround([this.model.lens, ...(this.second ? [this.second.lens] : [])]);
     }
 
-    // ---- drawing ----
-
-    /// The blurs whose pictures are shown.
     get blurs() {
         return [this.blur, ...(this.second ? [this.second.blur] : [])];
     }
 
-    /// Shows the pictures with other overlays.
     display() {
         if (this.blur.values && this.blur.lens)
             this.blurs.forEach(blur => blur.display());
         this.draw();
     }
 
-    /// Schedules drawing until the picture is smooth.
     draw() {
         if (this.scheduled || !this.model.lens)
             return;

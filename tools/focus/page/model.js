@@ -1,8 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The user's choices: camera, block, points. Knobs and points change the same block, so that they always agree. A change that no lens
-/// fulfils keeps the last lens and sets `error`.
+/// Camera, block, points. Knobs and points change one block. An impossible change keeps the last lens and sets `error`.
 
 import { along, dot, length, subtract, times } from "./vector.js";
 import {
@@ -12,7 +11,7 @@ import { nearestPick, planePoints, sharpnessOf, visiblePoints } from "./points.j
 import { remarksOf } from "./remarks.js";
 
 const START_STOP = 2.8;
-/// Millimetres from the lens to the subject of a scene without a lens, as if it were a model on a table.
+/// Millimetres to the subject of a scene without a lens, taken for a model on a table.
 const MODEL_DISTANCE = 1200;
 
 /// Least and greatest number of points that a best plane serves; the program's own limits.
@@ -24,7 +23,7 @@ export const PLAIN = {
     shift: [0, 0], fStop: null, blades: 0, bladesAngle: 0, focalPoint: [0, 0, 0], aperture: 0, scale: 1,
 };
 
-/// The nearest of 1, 2, 5 times a power of ten.
+/// 1, 2, 5 times a power of ten.
 function roundly(value) {
     const power = 10 ** Math.floor(Math.log10(value)), part = value / power;
     return power * (part < 1.5 ? 1 : part < 3.5 ? 2 : part < 7.5 ? 5 : 10);
@@ -43,7 +42,6 @@ export class Model {
         this.open = false;      // the focus waits for the preview, because neither scene nor user states it
     }
 
-    /// The choices that a camera begins with.
     begin() {
         Object.assign(this, {
             mode: "one",       // or "three", "more"
@@ -58,19 +56,16 @@ export class Model {
         });
     }
 
-    /// All of the user's choices.
     get state() {
         const { block, camera, picks, mode, third, hold, within, onFilm, real } = this;
         return { block, camera, picks, mode, third, hold, within, onFilm, real };
     }
 
-    /// Stores properties of the scene's camera.
     note({ aperture, direction, right, bokeh, matrix, inverse, scale }) {
         this.given = { aperture: aperture > 0, direction, right, bokeh };
         this.place = { matrix, inverse, scale };
     }
 
-    /// Takes a camera from the program.
     take(view) {
         const { location, direction, right, up, sky } = view;
         this.camera = { location, direction, right, up, sky };
@@ -116,7 +111,7 @@ export class Model {
         }
     }
 
-    /// Initial focus and scale of a scene without a lens: on the surface at its centre, as if it were a model on a table.
+    /// On the surface at its centre, as a model on a table.
     suppose(point) {
         this.close(point);
         this.block.focalPoint = point;
@@ -124,14 +119,14 @@ export class Model {
         this.resolve();
     }
 
-    /// The focus no longer waits; a scale that nobody has chosen becomes that of such a model.
+    /// An unchosen scale becomes the model's.
     close(point) {
         if (this.open && this.block.sceneUnit === PLAIN.sceneUnit)
             this.block.sceneUnit = roundly(MODEL_DISTANCE / length(subtract(point, this.camera.location)));
         this.open = false;
     }
 
-    /// Solves the block; keeps the last lens on failure.
+    /// Keeps the last lens on failure.
     resolve() {
         try {
             if (this.holds)
@@ -146,20 +141,18 @@ export class Model {
         this.changed();
     }
 
-    /// Shows beside a knob why its number was refused.
     refuse(knob, words) {
         this.refused = { [knob]: words };
         this.changed();
     }
 
-    /// Applies a change; an impossible state is shown as an error and discarded at the next change.
+    /// An impossible state is shown as an error, and discarded at the next change.
     change(what) {
         this.refused = {};
         what(this.block);
         this.resolve();
     }
 
-    /// Pushes the state for back().
     remember() {
         if (this.error)
             return;
@@ -170,13 +163,12 @@ export class Model {
         this.remembered();
     }
 
-    /// Takes choices from elsewhere, such as the address.
     restore(state) {
         Object.assign(this, structuredClone(state), { refused: {}, open: false });
         this.resolve();
     }
 
-    /// Goes back one step. @returns true if there was one
+    /// @returns true if there was one
     back() {
         const now = this.past.length > 1 ? (this.past.pop(), this.past.at(-1)) : null;
         if (!now)
@@ -185,8 +177,6 @@ export class Model {
         this.remembered();
         return true;
     }
-
-    // ---- points ----
 
     /// A point of the plane of sharp focus about which it turns.
     anchor() {
@@ -198,12 +188,12 @@ export class Model {
         return visiblePoints(this.lens)[0] ?? this.block.focalPoint;
     }
 
-    /// 1 - k.X: 0 on the plane of sharp focus.
+    /// 1 - k.X: 0 on the plane.
     offPlane(point) {
         return 1 - dot(this.lens.focus, subtract(point, this.camera.location));
     }
 
-    /// A click into the scene. With three points, a fourth click moves the point nearest in the picture.
+    /// With three points, a fourth click moves the nearest in the picture.
     pick(point) {
         if (this.mode === "more" && this.picks.length === MOST) {
             this.refuse("points", `${MOST} points are the most. Remove one, or drag it.`);
@@ -219,7 +209,6 @@ export class Model {
         this.remember();
     }
 
-    /// Number of points that determine the plane.
     get wantedPicks() {
         if (this.mode === "more")
             return FEWEST;
@@ -231,7 +220,6 @@ export class Model {
         this.usePicks();
     }
 
-    /// Removes a point.
     remove(index) {
         this.picks.splice(index, 1);
         this.usePicks();
@@ -288,27 +276,22 @@ export class Model {
         return this.hold && this.block.family === "sharp" && this.picks.length > FEWEST;
     }
 
-    /// Holds the points within a blur, or no longer.
     setHold(hold, within = this.within) {
         Object.assign(this, { hold, within });
         this.change(() => {});
         this.remember();
     }
 
-    /// See sharpnessOf().
     sharpness() {
         return sharpnessOf(this);
     }
 
-    /// Shows a lens of a focus pull.
     pull(items) {
         Object.assign(this, { mode: "one", picks: [], hold: false });
         this.change(block => Object.assign(block, items));
     }
 
-    // ---- knobs ----
-
-    /// Turns the lens, or the plane of sharp focus, about a point of that plane.
+    /// About a point of the plane of sharp focus.
     turn(family, part, value) {
         const anchor = this.anchor();
         this.close(anchor);
@@ -332,7 +315,6 @@ export class Model {
         this.change(block => Object.assign(block, items));
     }
 
-    /// Sets the f-stop by hand.
     setStop(fStop) {
         this.hold = false;
         this.set({ fStop });
@@ -348,12 +330,11 @@ export class Model {
         });
     }
 
-    /// Sets the focal length, mm; the angle of view follows.
+    /// mm; the angle of view follows.
     setFocalLength(mm) {
         this.set({ focalLength: mm });
     }
 
-    /// Replaces the focal length by its current angle of view.
     useAngle() {
         if (this.block.focalLength === null)
             return;
@@ -365,7 +346,7 @@ export class Model {
         });
     }
 
-    /// Film width for a format: the part that the picture's proportions use.
+    /// The part that the picture's proportions use.
     filmWidth([longer, shorter]) {
         const aspect = length(this.camera.right) / length(this.camera.up);
         return aspect >= 1 ? Math.min(longer, shorter * aspect) : Math.min(shorter, longer * aspect);
@@ -381,14 +362,10 @@ export class Model {
         this.remember();
     }
 
-    // ---- what is shown ----
-
-    /// See remarksOf().
     remarks() {
         return remarksOf(this);
     }
 
-    /// Numbers for a photographer.
     numbers() {
         const { lens, block } = this, perMm = 1 / lens.millimetre;
         return {

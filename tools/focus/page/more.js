@@ -1,25 +1,23 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// Any number of points: the list of them with the blur of each, and the f-stop that holds them.
+/// The list of points with their blur, and the f-stop that holds them.
 
 import { numberIn } from "./knobs.js";
 import { FEWEST } from "./model.js";
 import { SHARP } from "./points.js";
 
-/// A blur in words. @param blur  pixels
+/// A blur in words.
+/// @param blur pixels
 export function pixels(blur) {
     const size = Math.abs(blur);
     return size < SHARP ? "sharp" : `${size < 9.995 ? size.toFixed(2) : size.toFixed(size < 99.95 ? 1 : 0)} px`;
 }
 
-/// An f-number with few digits.
 export const stop = value => `f/${Number(value.toPrecision(3))}`;
 
-/// The blur of a point with its side, and whether it binds.
 const described = (blur, binds) => pixels(blur) + (Math.abs(blur) < SHARP ? "" : blur > 0 ? " before" : " behind") + (binds ? ", binds" : "");
 
-/// Summary of all points.
 function summary(model, { greatest, without }) {
     const { fStop } = model.block, held = model.holds, reached = greatest > model.within * (1 - 1e-6);
     const now = held ? `${stop(fStop)} is the widest that ${reached ? `keeps all within ${model.within} px` : "is taken; it keeps all within less"}.`
@@ -28,7 +26,6 @@ function summary(model, { greatest, without }) {
     return `${now}${other} Pixels are those of a picture ${model.width} wide.`;
 }
 
-/// @returns show()
 export function buildMore(find, model) {
     const list = find("sharp-points"), within = find("within");
     find("hold").onchange = event => model.setHold(event.target.checked);

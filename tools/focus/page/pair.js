@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// Two lenses for one camera, A and B: one is the model's, the other waits, and may be shown beside it.
+/// Lenses A and B of one camera: one is the model's, the other waits.
 
 import { Model } from "./model.js";
 
@@ -29,12 +29,11 @@ export class Pair {
         return { state: error && past.length ? JSON.parse(past.at(-1)) : structuredClone(state), past };
     }
 
-    /// Makes the other lens, a copy of the shown one, unless there is one.
+    /// A copy of the shown one, unless it exists.
     copy() {
         this.other ??= structuredClone(this.present);
     }
 
-    /// Shows the other lens.
     swap() {
         const { model } = this;
         this.copy();
@@ -46,14 +45,13 @@ export class Pair {
         model.remember();
     }
 
-    /// Shows both pictures, or one.
     setBeside(beside) {
         this.beside = beside;
         this.model.changed();
         this.model.remembered();
     }
 
-    /// The other lens as a model of its own; null without one, and unless both pictures are shown.
+    /// Null unless both pictures are shown.
     get twin() {
         const { model } = this;
         if (!this.beside || model.open || !model.lens)
@@ -65,7 +63,6 @@ export class Pair {
         return Object.assign(this.made.twin, { given, place });
     }
 
-    /// For the address.
     get kept() {
         return (this.other || this.beside) && { shown: this.shown, other: this.other?.state ?? null, beside: this.beside };
     }

@@ -1,14 +1,14 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The picked points of a model: the plane that they state, and their blur.
+/// The picked points: their plane and blur.
 
 import { along, cross, dot, length, subtract, unit } from "./vector.js";
 import { axesOf, blurOfPoint, greatestBlur, pointAt, project, stopWithoutTilt } from "./lens.js";
 
 /// Blur in pixels that counts as none.
 export const SHARP = 0.005;
-/// Share of the greatest blur below which a point does not bind: rounding.
+/// A smaller difference of blur is rounding.
 const BINDS = 1 - 1e-6;
 
 /// Index of the point nearest to another in the picture.
@@ -21,7 +21,7 @@ export function nearestPick({ lens, picks }, point) {
     return far.indexOf(Math.min(...far));
 }
 
-/// Three points of the plane: picked, and derived from the choice for the third; null if the picks state no such plane.
+/// Picked, and derived from the third's choice; null without a plane.
 export function planePoints({ mode, third, picks, wantedPicks, camera }) {
     if (mode !== "three" || wantedPicks === 1 || picks.length < 2)
         return null;
@@ -33,7 +33,7 @@ export function planePoints({ mode, third, picks, wantedPicks, camera }) {
     return [picks[0], picks[1], along(picks[0], size, third === "upright" ? sky : level)];
 }
 
-/// Blur of the points: { blurs: signed, pixels; binds: of each point; greatest; without: f-number without tilt, or null }.
+/// { blurs: signed, pixels; binds; greatest; without: f-number without tilt, or null }.
 export function sharpnessOf({ lens, picks, width, block, camera }) {
     const blurs = picks.map(point => blurOfPoint(lens, point, width)), greatest = picks.length ? greatestBlur(lens, picks, width) : 0;
     const best = block.family === "sharp" && greatest > SHARP;
@@ -43,7 +43,7 @@ export function sharpnessOf({ lens, picks, width, block, camera }) {
     };
 }
 
-/// Visible points of the plane of sharp focus, spread over the picture, nearest to its centre first.
+/// Over the picture, nearest to its centre first.
 export function visiblePoints(lens) {
     const found = [];
     for (const [x, y] of [[0, 0], [-0.25, -0.25], [0.25, -0.25], [0, 0.3], [0, -0.45], [-0.3, 0.2], [0.3, 0.2]]) {

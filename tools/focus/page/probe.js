@@ -1,11 +1,11 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// Access for tests; the page itself uses none of it.
+/// For tests; the page does not use it.
 
 import { describe } from "./block.js";
 
-/// @param live  the live picture, and that of the other lens
+/// @param live the live picture, and the other lens's
 export function buildProbe(model, live) {
     const { blur } = live;
     const read = (canvas, [width, height]) => {
@@ -18,14 +18,12 @@ export function buildProbe(model, live) {
         model,
         describe: form => describe(model, form),
 
-        /// The live picture, or null before the first: size, preview's location, completeness of the preview, averaged passes, pending
-        /// passes, and milliseconds of the last drawing.
+        /// Null before the first picture; milliseconds.
         get live() {
             const { frame, pass, work } = blur, { complete } = live, smooth = live.blurs.every(each => !each.unfinished);
             return blur.values && frame ? { size: size(), location: frame.location, complete, passes: pass, smooth, work } : null;
         },
 
-        /// Number of drawings.
         get drawings() {
             return blur.drawings;
         },
@@ -33,7 +31,7 @@ export function buildProbe(model, live) {
         /// Sum of the preview's values: colours and 1/distance.
         previewSum: () => blur.values.reduce((a, b) => a + b),
 
-        /// Red, green, blue, alpha of the live picture, upper row first; `show` overrides the settings for this call.
+        /// Red, green, blue, alpha, upper row first; `show` overrides the settings.
         livePixels(show = {}) {
             const shown = blur.show;
             blur.show = { ...shown, ...show };
@@ -50,7 +48,6 @@ export function buildProbe(model, live) {
         /// The true picture's pixels, at the live picture's size.
         truePixels: () => read(document.getElementById("truth"), size()),
 
-        /// Resolves after the next drawing of the live picture.
         nextDrawing() {
             const before = blur.drawings;
             return new Promise(done => {

@@ -1,8 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// Focus pulls: the lens between keys, as the macros of scenes/include/tilt_lens_pull.inc have it. A key is
-/// { time, stop, points: [A, B, C] }, the f-number and three points of the plane of sharp focus.
+/// The lens between keys { time, stop, points: [A, B, C] }, as in tilt_lens_pull.inc.
 
 import { along, cross, dot, length, subtract, times, unit } from "./vector.js";
 import { areVectors, isSize } from "./address.js";
@@ -14,16 +13,14 @@ export const areKeys = keys => Array.isArray(keys) && keys.length <= MOST_KEYS &
     keys.every(key => Number.isFinite(key?.time) && isSize(key.stop) && areVectors(key.points, 3, 3)) &&
     keys.every((key, i) => i === 0 || key.time > keys[i - 1].time);
 
-/// The keys with one more; it replaces one of the same time.
+/// Replaces one of the same time.
 export const withKey = (keys, key) => [...keys.filter(other => other.time !== key.time), key].sort((a, b) => a.time - b.time);
 
-/// k of a key's plane, seen from the lens.
 function focusOf({ points: [a, b, c] }, location) {
     const normal = unit(cross(subtract(b, a), subtract(c, a)));
     return times(1 / dot(subtract(a, location), normal), normal);
 }
 
-/// Items of a block at a time: its plane and f-stop.
 export function pullAt(keys, time, location) {
     const next = Math.max(0, keys.findIndex((key, i) => i === keys.length - 1 || !(key.time < time)));
     const from = keys[Math.max(0, next - 1)], to = keys[next];

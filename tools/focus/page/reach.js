@@ -1,8 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// Reach of blur: for each tile of the preview, the largest blur of a surface that may reach it, so that the shader searches for blurred
-/// surfaces only near them.
+/// The largest blur that may reach each tile of the preview; the shader searches only there.
 
 import { dot } from "./vector.js";
 import { blurPerVergence, frameMap } from "./lens.js";
@@ -10,7 +9,7 @@ import { blurPerVergence, frameMap } from "./lens.js";
 export const TILE = 16; // side of a tile of the preview, pixels
 
 export class Reach {
-    /// @param values  of the preview: red, green, blue, 1/distance for each pixel
+    /// @param values red, green, blue, 1/distance of each pixel
     constructor(width, height, values) {
         Object.assign(this, { width, height, values });
         this.columns = Math.ceil(width / TILE);
@@ -18,7 +17,6 @@ export class Reach {
         this.ranges = new Float32Array(this.columns * this.rows * 2); // smallest and largest 1/distance of each tile
     }
 
-    /// Updates the tiles of a rectangle.
     note(left, top, width, height) {
         for (let ty = Math.floor(top / TILE); ty * TILE < top + height; ty++)
             for (let tx = Math.floor(left / TILE); tx * TILE < left + width; tx++)
@@ -36,8 +34,8 @@ export class Reach {
         return [least, most];
     }
 
-    /// The largest vergence difference whose blur may reach each tile.
-    /// @param frame  of the preview
+    /// In vergence.
+    /// @param frame of the preview
     of(lens, frame) {
         const { columns, rows } = this, own = new Float32Array(columns * rows), [ox, oy, fx, fy] = frameMap(lens, frame);
         const far = dot(lens.direction, lens.axis);
@@ -56,7 +54,7 @@ export class Reach {
         return this.dilated(own, 0.5 * blurPerVergence(lens, this.width) * fx / TILE);
     }
 
-    /// Spreads each value to the tiles that it reaches; a value of 1 reaches `tiles` tiles.
+    /// A value of 1 reaches `tiles` tiles.
     dilated(own, tiles) {
         const { columns, rows } = this;
         let values = own;

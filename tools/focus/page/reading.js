@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The place under the pointer: its numbers of the depth of field, and the loupe.
+/// The numbers at the pointer, and the loupe.
 
 import { dot, length } from "./vector.js";
 import { blurDiameter, blurPerVergence, chiefRay } from "./lens.js";
@@ -11,9 +11,9 @@ import { SHARP } from "./points.js";
 const ABOVE = 24; // screen pixels from the place to the loupe
 const LIMIT = 1; // pixels of blur up to which a thing counts as sharp, as for the tint and the limits of focus
 
-/// Distances from the lens along the chief ray through x, y: { surface, blur, near, far }. `surface` and `blur`, in pixels, are null
-/// without a surface; `near` is null where nothing is sharp; `far` may be Infinity.
-/// @param inverseDepth  of the surface
+/// { surface, blur (pixels), near, far } along the chief ray; null without a surface, `near` null where nothing is sharp, `far` may be
+/// Infinity.
+/// @param inverseDepth of the surface
 export function readingAt(lens, x, y, inverseDepth, width) {
     const chief = chiefRay(lens, x, y), size = length(chief), inverse = inverseDepth * dot(lens.direction, lens.axis);
     const w = dot(lens.focus, chief), reach = LIMIT / blurPerVergence(lens, width);
@@ -33,7 +33,7 @@ function inWords({ surface, blur, near, far }) {
     return `${thing} ${near === null ? "No distance here is sharp." : `Sharp here from ${distance(near)} to ${distance(far)}${deep}.`}`;
 }
 
-/// @param at  (x, y) of the film -> 1/distance of the surface along the axis
+/// @param at (x, y) of the film -> 1/distance along the axis
 export function buildReading(find, model, blur, at) {
     const picture = find("picture"), loupe = find("loupe"), scale = find("loupe-scale"), said = find("reading");
     let place = null; // of the pointer, in the film
@@ -51,7 +51,7 @@ export function buildReading(find, model, blur, at) {
         context.imageSmoothingEnabled = false;
         context.clearRect(0, 0, side, side);
         context.drawImage(canvas, left * sx, top * sy, across * sx, across * sy, 0, 0, side, side);
-        // above the place, or below it near the upper edge, and within the picture
+        // below the place near the upper edge
         const box = picture.getBoundingClientRect(), half = loupe.offsetWidth / 2, y = (0.5 - place[1]) * box.height;
         const x = Math.min(box.width - half, Math.max(half, (place[0] + 0.5) * box.width));
         loupe.style.left = `${x - half}px`;

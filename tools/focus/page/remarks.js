@@ -7,7 +7,7 @@ import { wholeTurnOf } from "./lens.js";
 
 const USUAL_TURN = 15; // degrees; real lenses stop at about 10
 
-/// Limits of the chosen real lens, and unusual values: knob -> words.
+/// Limits of the real lens, unusual values: knob -> words.
 export function remarksOf({ real, block, lens, refused }) {
     const said = { ...refused };
     if (!lens)

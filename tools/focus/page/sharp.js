@@ -1,22 +1,22 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The plane k.X = 1 that leaves the least greatest blur over any number of points. povray-src/tilt_lens/camera/sharp_plane.h has the
-/// theory: the strict Chebyshev solution of the equations k.D = 1/z, found by exchanging circuits. tests/focus compares the two.
+/// The plane k.X = 1 of least greatest blur: the strict Chebyshev solution of k.D = 1/z by exchanging circuits, see
+/// povray-src/tilt_lens/camera/sharp_plane.h. tests/focus compares the two.
 
 import {
     NO_VECTOR, ZERO, acrossBoth, differenceOf, exact, exactVector, isLess, magnitude, minus, negative, plus, product, quotient,
     rounded, scalar, scaled, size, sumOf,
 } from "./exact.js";
 
-/// Directions count as linearly dependent where no more than this share of one's length is left beside the others.
+/// Remainders below this share of a length are dependent.
 const DEPENDENT = 1e-12;
 /// Difference of deviations, relative to the greatest vergence, that counts as none.
 const SAME = 1e-24;
 
 const isEmpty = row => row.direction === NO_VECTOR;
 
-/// The span of some rows' directions, and the k in it that leaves given residuals there.
+/// Directions of some rows, and the k that leaves given residuals.
 class Span {
     constructor() {
         this.k = NO_VECTOR;
@@ -26,7 +26,7 @@ class Span {
     /// The part of a row's direction at right angles to the span; NO_VECTOR where it is only rounding.
     beside(row) {
         let { direction } = row;
-        for (const one of [...this.basis, ...this.basis]) // again: the second turn removes the rounding of the first
+        for (const one of [...this.basis, ...this.basis]) // the second turn removes the rounding of the first
             direction = differenceOf(direction, scaled(quotient(scalar(direction, one), scalar(one, one)), one));
         return size(direction) > row.rounding ? direction : NO_VECTOR;
     }
@@ -35,14 +35,13 @@ class Span {
         return this.beside(row) === NO_VECTOR;
     }
 
-    /// @param row  not in the span
     add(row, residual = ZERO) {
         const one = this.beside(row), left = minus(minus(row.vergence, residual), scalar(this.k, row.direction));
         this.k = sumOf(this.k, scaled(quotient(left, scalar(one, row.direction)), one));
         this.basis.push(one);
     }
 
-    /// The row without the part that the span and k explain.
+    /// Unexplained by the span and k.
     rest(row) {
         return { ...row, direction: this.beside(row), vergence: minus(row.vergence, scalar(this.k, row.direction)) };
     }
@@ -50,7 +49,7 @@ class Span {
 
 const NO_CIRCUIT = { rows: [], weights: [], deviation: ZERO };
 
-/// The circuit of `last` with independent rows whose span holds it; those that it does not need stay out.
+/// Independent rows whose span holds `last`, without superfluous ones.
 function circuitOf(rows, independent, last) {
     const found = [], weights = [];
     for (const i of independent) {
@@ -71,7 +70,7 @@ function circuitOf(rows, independent, last) {
     return { rows: found, weights: weights.map(weight => product(weight, scale)), deviation: product(deviation, scale) };
 }
 
-/// The first circuit among some rows, in their order; null if they are independent.
+/// Null if the rows are independent.
 function firstCircuit(rows, few) {
     const span = new Span(), independent = [];
     for (const i of few) {
@@ -83,7 +82,6 @@ function firstCircuit(rows, few) {
     return null;
 }
 
-/// The circuit of the greatest deviation among a few rows.
 function greatestCircuit(rows, few) {
     let greatest = NO_CIRCUIT;
     for (let chosen = 1; chosen < 1 << few.length; chosen++) {
@@ -94,7 +92,7 @@ function greatestCircuit(rows, few) {
     return greatest;
 }
 
-/// Gives the rows of a circuit its deviation, and solves the others by the part of k that is still free.
+/// The other rows take the free part of k.
 function solveBeside(rows, circuit, same) {
     const span = new Span(), { deviation } = circuit;
     circuit.rows.slice(0, -1).forEach((row, i) => span.add(rows[row], circuit.weights[i][0] > 0 ? deviation : negative(deviation)));
@@ -103,7 +101,8 @@ function solveBeside(rows, circuit, same) {
     return { k: sumOf(span.k, solved.k), circuit: { ...solved.circuit, rows: solved.circuit.rows.map(row => indices[row]) } };
 }
 
-/// Exchanges circuits until none has a greater deviation. @param rows  none of them empty
+/// Until none has a greater deviation.
+/// @param rows none empty
 function solveRows(rows, same) {
     let circuit = firstCircuit(rows, rows.map((_, i) => i));
     if (!circuit) {
@@ -122,7 +121,7 @@ function solveRows(rows, same) {
     }
 }
 
-/// An empty row is a circuit of its own, and has no say in k.
+/// A circuit of its own, without effect on k.
 function strictSolution(rows, same) {
     const full = rows.map((_, i) => i).filter(i => !isEmpty(rows[i]));
     let empty = NO_CIRCUIT;
@@ -136,7 +135,7 @@ function strictSolution(rows, same) {
     return { k, circuit: isLess(circuit.deviation, empty.deviation) ? empty : fuller };
 }
 
-/// The equations k.D = 1/z of points, in world coordinates; z counts in another unit, which changes no k.
+/// World coordinates; the unit of z changes no k.
 function rowsOf(points, camera, axis) {
     const across = acrossBoth(exactVector(camera.right), exactVector(camera.up)), side = exact(scalar(across, exactVector(axis))[0] < 0 ? -1 : 1);
     return points.map(point => {
@@ -146,9 +145,9 @@ function rowsOf(points, camera, axis) {
     });
 }
 
-/// k of the best plane, in world coordinates; null if the picture has all of the points on one line.
-/// @param points  world, before the lens
-/// @param axis    the film's normal into the scene
+/// Null if the points are on one line of the picture.
+/// @param points world, before the lens
+/// @param axis the film's normal into the scene
 export function planeOfLeastBlur(points, camera, axis) {
     const rows = rowsOf(points, camera, axis), span = new Span();
     for (const row of rows)

@@ -1,9 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The side view, true to scale: film, lens, plane of sharp focus, depth of field, the hinge line, and the line where film, lens and plane
-/// meet.
-/// It is the section through the lens along the axis and across the hinge line; for a lens that is not turned, the vertical section.
+/// The side view: a section through the lens along the axis and across the hinge line; vertical for a lens that is not turned.
 
 import { along, dot, length, unit } from "./vector.js";
 import { axisFocusOf, planeOfBlur } from "./lens.js";
@@ -20,7 +18,7 @@ function shape(name, attributes, text) {
     return made;
 }
 
-/// Unit vector across the axis in which the plane of sharp focus leans; up if it does not.
+/// The lean of the plane of sharp focus; up without one.
 function leaning(lens) {
     const across = along(lens.focus, -dot(lens.focus, lens.axis), lens.axis);
     if (length(across) < 1e-9 * length(lens.focus))
@@ -29,7 +27,7 @@ function leaning(lens) {
     return dot(up, lens.axisUp) < -1e-9 ? [-up[0], -up[1], -up[2]] : up;
 }
 
-/// The visible range: from behind the film to beyond the focus, with the lines of intersection unless too far.
+/// From behind the film to beyond the focus, with intersections unless too far.
 function windowOf(lens, up, meeting, hinge, surfaces) {
     const focus = axisFocusOf(lens), reach = focus > 0 && Number.isFinite(focus) ? focus : 1 / length(lens.focus);
     const far = Math.max(1.5 * reach, ...surfaces.map(p => Math.min(p[0], 3 * reach)));
@@ -42,8 +40,7 @@ function windowOf(lens, up, meeting, hinge, surfaces) {
     return box;
 }
 
-/// Draws into an svg element.
-/// @param surfaces  points of the scene near this section: [distance along the axis, distance along `up`], from surfaceSection
+/// @param surfaces [distance along the axis, along `up`], from surfaceSection
 export function drawSide(svg, lens, surfaces) {
     const up = leaning(lens), k = [dot(lens.focus, lens.axis), dot(lens.focus, up)];
     const t = [dot(lens.normal, lens.axis), dot(lens.normal, up)], s = lens.filmDistance;
@@ -62,7 +59,7 @@ export function drawSide(svg, lens, surfaces) {
         const [[x1, y1], [x2, y2]] = [at(a), at(b)];
         svg.append(shape("line", { class: kind, x1, y1, x2, y2 }));
     };
-    // the part before the film of a line a x + b y = c in the section
+    // a x + b y = c before the film
     const endless = (kind, [a, b], c) => {
         const n = Math.hypot(a, b), p = [a * c / (n * n), b * c / (n * n)], d = [-b / n, a / n];
         line(kind, [p[0] - size * d[0], p[1] - size * d[1]], [p[0] + size * d[0], p[1] + size * d[1]]);
@@ -71,7 +68,6 @@ export function drawSide(svg, lens, surfaces) {
         const [x, y] = at(point), tx = x + dx, ty = Math.min(height - 6, Math.max(14, y + dy));
         const made = shape("text", { x: tx, y: ty, "text-anchor": anchor }, text);
         svg.append(made);
-        // moved to the side until all of it is seen
         const extent = made.getBBox(), left = Math.min(tx, tx + width - MARGIN - extent.x - extent.width);
         made.setAttribute("x", Math.max(left, tx + MARGIN - extent.x));
     };
@@ -108,11 +104,11 @@ export function drawSide(svg, lens, surfaces) {
         label("plane of sharp focus", [crossing, 0], crossing > 0.7 * box.right ? "end" : "start", crossing > 0.7 * box.right ? -8 : 8, 16);
 }
 
-/// Points of the scene in the section: [distance along the axis, across].
-/// @param depthAt  (x, y) of the film -> 1/distance, or NaN
+/// [distance along the axis, across].
+/// @param depthAt (x, y) of the film -> 1/distance, or NaN
 export function surfaceSection(lens, depthAt) {
     const up = leaning(lens), found = [], far = dot(lens.direction, lens.axis);
-    // the section's line in the picture: chief rays without a component across it
+    // chief rays without a component across the section
     const aside = unit([lens.axis[1] * up[2] - lens.axis[2] * up[1], lens.axis[2] * up[0] - lens.axis[0] * up[2], lens.axis[0] * up[1] - lens.axis[1] * up[0]]);
     const r = dot(lens.right, aside), u = dot(lens.up, aside), d = dot(lens.direction, aside);
     for (let i = 0; i < 400; i++) {

@@ -1,8 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The clickable picture: points that can be picked and dragged by mouse, finger or keys, and the wipe between the live picture and the
-/// true one.
+/// The clickable picture: points picked and dragged by mouse, finger or keys; the wipe between live and true picture.
 
 import { project } from "./lens.js";
 import { pixels } from "./more.js";
@@ -12,8 +11,7 @@ const STEP = 1 / 200, LARGE_STEP = 1 / 25; // of the picture, for the arrow keys
 
 const clamp = x => Math.min(0.5, Math.max(-0.5, x));
 
-/// @param on  { pointAt(x, y) -> world point or null, done(), nothing(): there is no surface, entered(): the picture has gained or lost
-///             the keyboard focus, cross(x, y): the crosshair has moved there }
+/// @param on { pointAt(x, y) -> world point or null, done(), nothing(): no surface, entered(): keyboard focus, cross(x, y) }
 export function buildStage(model, on) {
     const picture = document.getElementById("picture"), points = document.getElementById("points");
     const cross = document.getElementById("cross"), truth = document.getElementById("truth"), wipe = document.getElementById("wipe");
@@ -114,13 +112,10 @@ export function buildStage(model, on) {
     wipe.oninput = showWipe;
 
     return {
-        /// True if keys move the crosshair.
         byKeys: () => !cross.hidden,
 
-        /// Picks the surface at a place of the film.
         pick,
 
-        /// Moves the points to their projections.
         show() {
             while (points.children.length > model.picks.length)
                 points.lastChild.remove();

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The lens as text for the scene: choosing its form, copying it, writing it into the scene's file.
+/// The lens as text: form, copy, write.
 
 import { change, copyText, describe } from "./block.js";
 
@@ -15,7 +15,8 @@ export const WORDS = {
     refused: ({ reason }) => `Not written: ${sentence(reason)} Copy the text and put it in by hand.`,
 };
 
-/// Copies an element's text, or marks it where the browser does not allow that. @returns words for the user
+/// Copies an element's text, or marks it where the browser does not allow that.
+/// @returns words for the user
 export async function copy(element) {
     try {
         await navigator.clipboard.writeText(element.textContent);
@@ -29,13 +30,13 @@ export async function copy(element) {
     }
 }
 
-/// @param kept  () -> items of the scene's own block that stay in it, as text
-/// @param ask   sends a message to the program
+/// @param kept () -> further items of the scene's block
+/// @param ask sends a message
 export function buildText(find, model, kept, ask) {
     const block = find("block"), said = find("file-said");
     let chosen = null, copied = "";
 
-    /// The form of the text: the points where a plane only follows from them.
+    /// Points where the plane follows from them.
     const form = () => chosen ?? (model.block.family === "sharp" ? "points" : "plane");
     const show = () => {
         block.textContent = copyText(describe(model, form()), kept());
@@ -57,7 +58,7 @@ export function buildText(find, model, kept, ask) {
 
     return {
         show,
-        /// Takes the result of a change of the scene's file. @returns true if this page changed it
+        /// @returns true if this page changed the file
         take(message) {
             const changed = message.state === "written" || message.state === "undone";
             if (changed)

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The true picture: requests it and shows it as it grows, over the live one.
+/// Requests the true picture, and shows it as it grows.
 
 import { describe } from "./block.js";
 import { WORLD } from "./place.js";
@@ -19,14 +19,13 @@ const WORDS = {
     failed: ({ file, line, message }) => `${file ? `${file}, line ${line}: ` : ""}${message}`,
 };
 
-/// @param previewSize  () -> [width, height] of the preview, whose proportions the picture has
-/// @param clockOf      () -> the clock of a scene that uses it
-/// @param ask          sends a message to the program
+/// @param previewSize () -> [width, height]
+/// @param clockOf () -> clock of a scene that uses it
+/// @param ask sends a message
 export function buildTruth(find, stage, pair, previewSize, clockOf, ask) {
     const { model } = pair, canvas = find("truth"), said = find("true-said");
     let number = 0, waiting = [], last = null, other = "", shown = false;
 
-    /// The current lens as a request to the program.
     const wanted = (of = model) => {
         const { location, right, up, unshifted } = of.lens, { block, items } = describe(of, "plane", WORLD);
         return { camera: { location, direction: unshifted, right, up }, block, items };
@@ -60,7 +59,7 @@ export function buildTruth(find, stage, pair, previewSize, clockOf, ask) {
     find("render").onclick = () => {
         const width = Number(find("width").value), size = previewSize();
         last = null;
-        said.textContent = READING;  // at once: messages about the previous picture no longer hold
+        said.textContent = READING;  // messages about the previous picture no longer hold
         ask({
             do: "render", size: [width, Math.max(2, Math.round(width * size[1] / size[0]))], quality: Number(find("quality").value),
             ...wanted(),

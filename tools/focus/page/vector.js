@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// Vectors as arrays of three numbers.
-
 export const add = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 export const subtract = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 export const times = (s, v) => [s * v[0], s * v[1], s * v[2]];
@@ -14,5 +12,4 @@ export const cross = (a, b) => [
     a[2] * b[0] - a[0] * b[2],
     a[0] * b[1] - a[1] * b[0],
 ];
-/// a + s b
 export const along = (a, s, b) => add(a, times(s, b));
