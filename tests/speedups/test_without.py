@@ -36,7 +36,15 @@ class WithoutSpeedups(unittest.TestCase):
         cls.source = pathlib.Path(SETTINGS["source"])
         cls.build = cls.source / "build" / "without-speedups"
         downloads = f"-DTILT_LENS_DOWNLOADS={SETTINGS['downloads']}"
-        configured = ("cmake", "--preset", "without-speedups", "-S", cls.source, downloads, f"-DPOVRAY_TARBALL={SETTINGS['tarball'].removeprefix('TARBALL=')}")
+        configured = (
+            "cmake",
+            "--preset",
+            "without-speedups",
+            "-S",
+            cls.source,
+            downloads,
+            f"-DPOVRAY_TARBALL={SETTINGS['tarball'].removeprefix('TARBALL=')}",
+        )
         for command in configured, ("ninja", "-C", cls.build, *TARGETS):
             code, said = run(*command)
             if code != 0:
