@@ -7,8 +7,8 @@
 /// The folder reconstruction/ answers: which picture do the samples make? It spreads samples over their circles of confusion, filters
 /// noise from the pixels' means, and estimates the rest of the noise. The sampler's stop rule uses the estimates.
 ///
-/// Candidates, most of them linear filters F of the means (filters.h), are averaged at each pixel with weights of 1 / risk^2, with
-/// Stein's estimate
+/// Candidates, most of them linear filters F of the means (filters.h), are averaged at each pixel with weights that fall as 1 / risk^2,
+/// with Stein's estimate
 ///
 ///     risk = mean over the 7 by 7 pixels q around of (|F q - q|^2 - (1 - 2 F_0) var q) / var q.
 ///
