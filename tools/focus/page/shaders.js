@@ -1,9 +1,10 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// See docs/focus.md. Pixels: from the upper left corner; film: x and y in [-0.5, 0.5], right and up.
+/// Shaders. Pixels count from the picture's upper left corner; "film" is a point of the frame, x and y in [-0.5, 0.5], right and up. See
+/// docs/focus.md for the method.
 ///
-/// #ifdef, because graphics processors compute both sides of a branch.
+/// Optional parts are compiled in by #ifdef, because graphics processors compute both sides of a branch.
 
 export const EVERYWHERE = `#version 300 es
 void main() {
@@ -11,18 +12,18 @@ void main() {
     gl_Position = vec4(corner, 0.0, 1.0);
 }`;
 
-/// Preview (red, green, blue, 1/distance along the axis), frame, lens.
+/// Common to both shaders: the preview (red, green, blue, 1/distance along the axis), the frame, the lens.
 const SCENE = `#version 300 es
 precision highp float;
 precision highp int;
 precision highp sampler2D;
 uniform sampler2D preview;
 uniform vec2 size;          // of the picture being made, pixels
-uniform vec4 toPreview;     // preview's film: xy + zw * film
-uniform float axisLength;   // vergence = axisLength / distance
-uniform vec3 focus;         // x + y film.x + z film.y
-uniform vec4 lensSpan;      // lens right and up per vergence, film
-uniform vec2 lensLean;      // axial components over the frame
+uniform vec4 toPreview;     // film of the picture -> film of the preview: xy + zw * film
+uniform float axisLength;   // of the chief ray along the axis: vergence = axisLength / distance
+uniform vec3 focus;         // w of the plane of sharp focus: x + y film.x + z film.y
+uniform vec4 lensSpan;      // image of the lens per unit of vergence, in film: columns for its right and up
+uniform vec2 lensLean;      // variation of its axial components over the frame
 
 vec2 filmOf(vec2 pixel) { return vec2(pixel.x / size.x - 0.5, 0.5 - pixel.y / size.y); }
 
@@ -35,18 +36,18 @@ bool isInside(ivec2 p) { ivec2 s = textureSize(preview, 0); return p.x >= 0 && p
 
 float focusAt(vec2 film) { return focus.x + focus.y * film.x + focus.z * film.y; }
 
-// pixels, down positive, of the lens's right and up per vergence
+// pixels, down positive, that the lens's right and up rim span per unit of vergence
 mat2 spanAt(vec2 film) {
     vec2 a = lensSpan.xy - lensLean.x * film, b = lensSpan.zw - lensLean.y * film;
     return mat2(a.x * size.x, -a.y * size.y, b.x * size.x, -b.y * size.y);
 }
 `;
 
-/// A power of two.
+/// Number of lens points, from which the blur samples: a power of two.
 export const LIST = 4096;
 
 export const GATHER = SCENE + `
-uniform sampler2D reach;    // largest |vergence difference| that may reach a tile
+uniform sampler2D reach;    // for each tile of the preview: largest |vergence difference| that may reach it
 uniform float tile;         // side of such a tile, pixels of the preview
 uniform float pixelsPerVergence; // radius of the blur
 uniform int taps, pass;
@@ -60,7 +61,7 @@ out vec4 result;
 const float PI = 3.14159265358979;
 const int LIST = ${LIST};
 
-// first index; every interval of the list is evenly spread
+// a pixel's first index in the list of lens points; every interval of the list is evenly spread
 int startAt(vec2 p) {
     float noise = fract(52.9829189 * fract(dot(p, vec2(0.06711056, 0.00583715))));
     return int(noise * float(LIST)) + pass * taps;
@@ -98,7 +99,7 @@ void main() {
     int start = startAt(pixel);
     float ownRadius = abs(own) * pixelsPerVergence;
 
-    // rays that meet this surface, or a farther one beside it; nearer ones are added below
+    // rays through the lens that meet this surface, or a farther one beside it; nearer surfaces do not block them here, but are added below
     vec3 sum = self.rgb;
     float count = 1.0;
     if (ownRadius > 0.5) {
@@ -119,7 +120,7 @@ void main() {
     }
     vec3 colour = sum / count;
 
-    // nearer blurred surfaces spread over their image of the diaphragm
+    // nearer blurred surfaces whose blur reaches this pixel: each spreads over its image of the diaphragm
     float widest = texelFetch(reach, clamp(here / int(tile), ivec2(0), textureSize(reach, 0) - 1), 0).r;
     if (widest * pixelsPerVergence > 1.0) {
         vec4 front = vec4(0.0);
@@ -231,7 +232,7 @@ void main() {
         colour = mix(colour, peakingColour, 0.5);
 #endif
 #ifdef PLANES
-    // from behind; each where nearer than the surface
+    // from behind: far limit, plane of sharp focus, near limit, each where it is nearer than the surface
     float opacity[3] = float[3](0.25, onGridLine(pixel) ? 0.75 : 0.20, 0.50);
     for (int i = 2; i >= 0; i--) {
         float w = linear(limits[i], film);
