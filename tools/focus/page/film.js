@@ -71,14 +71,11 @@ export function buildFilm(find, model, clock, kept, ask, done) {
     const step = begun => {
         if (!before)
             return;
-        const part = (performance.now() - begun) / (1000 * SECONDS), [first, last] = [keys[0].time, keys.at(-1).time];
-        if (part >= 1) {
-            stop();
-            return;
-        }
+        const part = Math.min(1, (performance.now() - begun) / (1000 * SECONDS)), [first, last] = [keys[0].time, keys.at(-1).time];
         clock.setTime(first + part * (last - first));
         at(clock.time());
-        requestAnimationFrame(() => step(begun));
+        // the last frame, too, is seen, however few a slow machine draws
+        requestAnimationFrame(() => (part < 1 ? step(begun) : before && stop()));
     };
     find("play").onclick = () => {
         if (before) {
