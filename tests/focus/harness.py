@@ -37,20 +37,27 @@ box { <-2.4, 0, -2>, <-1.4, 0.6, -1> pigment { rgb <0.9, 0.4, 0.1> } }
 box { <1.2, 0, 0>, <2.2, 1.2, 1> pigment { rgb <0.2, 0.7, 0.3> } }
 box { <-0.8, 0, 2>, <0.4, 2, 3> pigment { rgb <0.8, 0.8, 0.2> } }
 """
-# As an exporter writes it: placed by a matrix.
-EXPORTED = """#version 3.7;
-global_settings { assumed_gamma 1 }
-camera {
+
+
+def exported_camera(place):
+    """As exporters write it: placed by a matrix."""
+    return f"""camera {{
   location <0, 0, 0>
   look_at <0, 0, -1>
   right <-1.777778, 0, 0>
   up <0, 1, 0>
   angle 49.134343
-  matrix <0.685921, 0.727676, 0.0,  -0.324013, 0.305421, 0.895396,  0.651558, -0.614170, 0.445271,  73588.9, -69257.9, 49583.1>
-}
-light_source { <40000, -10000, 90000>, rgb 1.2 }
-plane { z, 0  pigment { checker rgb 0.8 rgb 0.35 scale 4000 } }
-#for (I, -4, 4) box { <10000*I - 3000, -3000, 0>, <10000*I + 3000, 3000, 12000> pigment { rgb <0.7, 0.3, 0.2> } } #end
+  matrix <0.685921, 0.727676, 0.0,  -0.324013, 0.305421, 0.895396,  0.651558, -0.614170, 0.445271,  {place}>
+}}
+"""
+
+
+EXPORTED = f"""#version 3.7;
+global_settings {{ assumed_gamma 1 }}
+{exported_camera("73588.9, -69257.9, 49583.1")}\
+light_source {{ <40000, -10000, 90000>, rgb 1.2 }}
+plane {{ z, 0  pigment {{ checker rgb 0.8 rgb 0.35 scale 4000 }} }}
+#for (I, -4, 4) box {{ <10000*I - 3000, -3000, 0>, <10000*I + 3000, 3000, 12000> pigment {{ rgb <0.7, 0.3, 0.2> }} }} #end
 """
 TOWERS = ((-0.41, -0.41), (0.28, -0.055), (-0.03, 0.3))  # places in the picture of the fronts of the three towers
 SMALL = ("+W160", "+H90")
@@ -201,7 +208,8 @@ class PageTest(FocusTest):
         return self.run("const live = window.focusPage?.live; return live?.complete && live.passes > 0")
 
     def smooth(self):
-        self.until("the smooth picture", lambda: self.run("return focusPage.live.complete && focusPage.live.smooth"))
+        script = "focusPage.drawAllPasses(); return focusPage.live.complete && focusPage.live.smooth"
+        self.until("the smooth picture", lambda: self.run(script))
 
     def true_picture(self, width):
         self.run("document.getElementById('width').add(new Option(arguments[0], arguments[0], true, true))", str(width))

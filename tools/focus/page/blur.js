@@ -60,6 +60,7 @@ class Blur {
     constructor(gl, canvas) {
         this.gl = gl;
         this.canvas = canvas;
+        this.patience = PATIENCE;
         this.programs = {};
         this.preview = newTexture(gl);
         this.reachTexture = newTexture(gl);
@@ -137,7 +138,7 @@ class Blur {
     get unfinished() {
         if (!this.values || !this.lens)
             return false;
-        return this.undisplayed || this.pass === 0 || (this.blurs && this.pass < PASSES && this.spent < PATIENCE);
+        return this.undisplayed || this.pass === 0 || (this.blurs && this.pass < PASSES && this.spent < this.patience);
     }
 
     /// In motion the whole picture, reduced; else a part of a pass.

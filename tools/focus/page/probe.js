@@ -24,6 +24,12 @@ export function buildProbe(model, live) {
             return blur.values && frame ? { size: size(), location: frame.location, complete, passes: pass, smooth, work } : null;
         },
 
+        /// On a busy machine, too, smooth pictures have all of their passes.
+        drawAllPasses() {
+            for (const each of live.blurs)
+                each.patience = Infinity;
+        },
+
         get drawings() {
             return blur.drawings;
         },
