@@ -26,6 +26,7 @@ class Tabs(ClientTest):
                 await one.ask("preview", clock=0.5)
                 told = await one.told("scene")
                 self.assertEqual((told["clock"], told["view"]["location"]), (0.5, [6, 2, -6.5]))
+                await one.told("preview", "done")
                 await one.ask("preview", chosen=FIRST, camera={**one.camera(), "location": [0.5, 3, -7]})
                 self.assertEqual((await one.told("preview", "done"))["frame"]["location"], [0.5, 3, -7])
                 before = len(two.kinds)
