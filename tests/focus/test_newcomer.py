@@ -10,25 +10,21 @@ from tests.focus import harness
 from tests.focus.more_page import MorePage
 
 # placed by a matrix: four towers on a floor
-EXPORTER = """// exported
+EXPORTER = (
+    """// exported
 #version 3.7;
 global_settings { assumed_gamma 1.0 }
 background { rgb <0.6, 0.7, 0.9> }
-camera {
-  location <0, 0, 0>
-  look_at <0, 0, -1>
-  right <-1.777778, 0, 0>
-  up <0, 1, 0>
-  angle 49.134343
-  matrix <0.685921, 0.727676, 0,  -0.324013, 0.305421, 0.895396,  0.651558, -0.614170, 0.445271,  7.35889, -6.92579, 4.95831>
-}
-light_source { <4, -1, 9>, rgb 1.2 }
+"""
+    + harness.exported_camera("7.35889, -6.92579, 4.95831")
+    + """light_source { <4, -1, 9>, rgb 1.2 }
 plane { z, 0  pigment { checker rgb 0.8 rgb 0.4 scale 0.5 } }
 box { <1.2, -3.3, 0>, <1.8, -2.7, 0.6>  pigment { rgb <0.8, 0.3, 0.2> } }
 box { <2.9, -1.5, 0>, <3.5, -0.9, 1.4>  pigment { rgb <0.3, 0.6, 0.3> } }
 box { <-0.8, -1.8, 0>, <-0.2, -1.2, 0.9>  pigment { rgb <0.9, 0.8, 0.3> } }
 box { <0.2, 1.2, 0>, <0.8, 1.8, 1.8>  pigment { rgb <0.3, 0.4, 0.8> } }
 """
+)
 # of the towers' tops and the floor, and their heights
 PLACES = {(-0.156, -0.192): 0.6, (0.184, -0.022): 1.4, (-0.154, 0.108): 0.9, (0.141, 0.346): 1.8, (0, 0.01): 0}
 SIZE = (320, 180)
