@@ -129,6 +129,6 @@ BENCHMARK(TilePerSample)
     ->Args({1024, 1})
     ->Unit(benchmark::kMillisecond);
 
-}  // namespace
+} // namespace
 
 BENCHMARK_MAIN();

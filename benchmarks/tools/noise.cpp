@@ -283,7 +283,7 @@ void PrintPrefixes(const Arguments& arguments)
     }
 }
 
-}  // namespace
+} // namespace
 
 int main(int argc, char** argv)
 {

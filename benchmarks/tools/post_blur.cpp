@@ -83,7 +83,7 @@ Picture Blur(const Picture& picture, const Picture& white, const Picture& black,
     return blurred;
 }
 
-}  // namespace
+} // namespace
 
 int main(int argc, char** argv)
 {

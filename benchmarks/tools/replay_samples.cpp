@@ -11,8 +11,8 @@
 /// object, and PREFIXtrue.pfm.
 ///
 /// Each line: NAME=VALUE,... or empty. Each line, variance and denoise yields a JSON object: mean square error against the mean of all
-/// samples (linear, clipped), share of pixels off by more than 2 sqrt(V), samples per pixel. A pixel takes at most a quarter of the samples
-/// unless --most says otherwise.
+/// samples (linear, clipped), share of pixels off by more than 2 sqrt(V), samples per pixel. A pixel takes at most a quarter of the
+/// samples unless --most says otherwise.
 
 #include <algorithm>
 #include <array>
@@ -136,7 +136,7 @@ json Replay(const Recording& recording, SamplingLimits limits, double variance, 
         {"variance", variance}, {"denoise", denoise}, {"mse", error / pixels}, {"beyond", beyond / pixels}, {"samples", samples / pixels}};
 }
 
-}  // namespace
+} // namespace
 
 int main(int count, char** values)
 {

@@ -28,7 +28,7 @@ double FloorDistance(const Ray& ray)
     return ray.direction.y < 0.0 ? -ray.origin.y / ray.direction.y : HUGE_VAL;
 }
 
-}  // namespace
+} // namespace
 
 BoxScene::BoxScene() : mSun(Unit(Vector{-600.0, 1000.0, -700.0})), mCosine(std::cos(kTurn)), mSine(std::sin(kTurn)) {}
 
@@ -96,4 +96,4 @@ Vector BoxScene::Lit(const Ray& ray, double distance, const Vector& normal, cons
     return (0.3 + 0.7 * light) * pigment;
 }
 
-}  // namespace paper
+} // namespace paper

@@ -39,6 +39,6 @@ class BoxScene
     double mCosine, mSine;  ///< of the box's turn about y
 };
 
-}  // namespace paper
+} // namespace paper
 
 #endif

@@ -41,7 +41,7 @@ bool Inside(const witness::Picture& picture, Point at)
     return at.x >= 0.0 && at.y >= 0.0 && at.x <= picture.width && at.y <= picture.height;
 }
 
-}  // namespace
+} // namespace
 
 std::vector<double> Profile(const witness::Picture& picture, Point from, Point to, int count)
 {
@@ -110,4 +110,4 @@ Edges EdgesIn(const witness::Picture& picture, int row, int inside)
     return {inside - before, inside + after};
 }
 
-}  // namespace paper
+} // namespace paper

@@ -50,6 +50,6 @@ struct Edges
 };
 Edges EdgesIn(const witness::Picture& picture, int row, int inside);
 
-}  // namespace paper
+} // namespace paper
 
 #endif

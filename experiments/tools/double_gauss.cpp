@@ -50,7 +50,7 @@ std::optional<Vector> Snell(const Vector& direction, const Vector& normal, doubl
     return ratio * direction + (ratio * cosine - std::sqrt(square)) * normal;
 }
 
-}  // namespace
+} // namespace
 
 GlassLens::GlassLens(double focalLength, double fStop, double moved)
 {
@@ -177,4 +177,4 @@ std::optional<Passage> GlassLens::Trace(const Ray& fromFilm, bool rims) const
     return Passage{ray, stopX, stopY};
 }
 
-}  // namespace paper
+} // namespace paper

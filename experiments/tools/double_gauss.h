@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file double_gauss.h
-/// A double Gauss of six elements for 50 mm and f/2: pbrt's dgauss.50mm.dat but for the stop's place; US patent 2,673,491 (Tronnier), after
-/// Smith, Modern Lens Design. One wavelength, Snell's law, independent of the thin lens.
+/// A double Gauss of six elements for 50 mm and f/2: pbrt's dgauss.50mm.dat but for the stop's place; US patent 2,673,491 (Tronnier),
+/// after Smith, Modern Lens Design. One wavelength, Snell's law, independent of the thin lens.
 ///
 /// z along the axis toward the scene, origin in the front principal point H; H' is at -Separation(). For comparison with a thin lens the
 /// film moves back by that much.
@@ -69,6 +69,6 @@ class GlassLens
     double mPupilRadius = 0.0, mExitPupil = 0.0, mEntrancePupil = 0.0;
 };
 
-}  // namespace paper
+} // namespace paper
 
 #endif

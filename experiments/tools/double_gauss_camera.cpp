@@ -47,7 +47,7 @@ std::array<double, 3> FitPlane(const std::vector<Vector>& points)
     return {Dot(right, Cross(b, c)) / whole, Dot(a, Cross(right, c)) / whole, Dot(a, Cross(b, right)) / whole};
 }
 
-}  // namespace
+} // namespace
 
 GlassCamera::GlassCamera(const Setting& setting, bool thinOnly) :
     mSetting(setting), mGlass(setting.focalLength, setting.fStop, setting.moved)
@@ -267,7 +267,7 @@ class LeastSquares
     std::array<double, 3> mRight{};
 };
 
-}  // namespace
+} // namespace
 
 double GlassCamera::Nearness(const Vector& chief) const
 {
@@ -335,4 +335,4 @@ std::array<double, 2> GlassCamera::PixelAt(const Ray& ray, double depth) const
     return {0.5 * mSetting.width + scale * Dot(d, mRight), 0.5 * mSetting.height - scale * Dot(d, mUp)};
 }
 
-}  // namespace paper
+} // namespace paper

@@ -115,6 +115,6 @@ class GlassCamera
     std::vector<Bundle> mNodes;  ///< at the corners of the pixels
 };
 
-}  // namespace paper
+} // namespace paper
 
 #endif

@@ -123,7 +123,7 @@ json MeasureLine(const GlassCamera& camera, const paper::Character& character, d
             {"vignetted", static_cast<double>(vignetted) / (passed + vignetted)}};
 }
 
-}  // namespace
+} // namespace
 
 int main(int argc, char** argv)
 {

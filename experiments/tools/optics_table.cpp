@@ -80,7 +80,7 @@ void WriteLine(std::ostream& out, const Row& row)
     out << line;
 }
 
-}  // namespace
+} // namespace
 
 int main(int argc, char** argv)
 {

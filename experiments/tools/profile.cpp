@@ -1,7 +1,8 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Brightness along a line as CSV and plot, with differences to the first picture in 8-bit levels; moments of spots, edges, blur, steepness.
+// Brightness along a line as CSV and plot, with differences to the first picture in 8-bit levels; moments of spots, edges, blur,
+// steepness.
 
 #include <cstdio>
 #include <fstream>
@@ -168,7 +169,7 @@ CLI::App* AddLine(CLI::App& app, LineOptions& options)
     return line;
 }
 
-}  // namespace
+} // namespace
 
 int main(int argc, char** argv)
 {

@@ -131,7 +131,7 @@ class Match
     double mContrast = 0.0;
 };
 
-}  // namespace
+} // namespace
 
 Blur BlurBetween(const witness::Picture& sharp, const witness::Picture& blurred, const Window& window, double widest)
 {
@@ -189,4 +189,4 @@ double MeanSteepness(const witness::Picture& picture, Point from, Point to, doub
     return sum / count;
 }
 
-}  // namespace paper
+} // namespace paper

@@ -33,6 +33,6 @@ Blur BlurBetween(const witness::Picture& sharp, const witness::Picture& blurred,
 /// @throws std::invalid_argument a line outside the picture
 double MeanSteepness(const witness::Picture& picture, Point from, Point to, double reach);
 
-}  // namespace paper
+} // namespace paper
 
 #endif

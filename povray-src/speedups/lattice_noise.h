@@ -47,6 +47,6 @@ class LatticeNoise
     Double4 components[kNumbers - 8];  ///< row[i], row[i + 4], row[i + 8]: the three components of a vector
 };
 
-}  // namespace speedups
+} // namespace speedups
 
 #endif

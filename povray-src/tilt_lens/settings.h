@@ -24,8 +24,8 @@ struct Settings
     /// Distance, in blocks, of the farthest block that a pixel depends on (section 7): filters need converged neighbours, and the stop
     /// rule of these needs the first rounds of their neighbours.
     static constexpr std::int64_t dependencyRadius = 2;
-    /// Rows of blocks, counted from the first unfinished one, in which an idle thread may work ahead: two rows of tiles of the usual size
-    /// and the blocks that they depend on. Affects no picture.
+    /// Rows of blocks, counted from the first unfinished one, in which an idle thread may work ahead: two rows of tiles of the usual
+    /// size and the blocks that they depend on. Affects no picture.
     static constexpr std::int64_t windowRows = 6;
     /// Radius of the 3 by 3 window whose sample variances are averaged (section 3).
     static constexpr int neighbourRadius = 1;
@@ -36,7 +36,8 @@ struct Settings
     static constexpr int riskRadius = 3, nearRiskRadius = 1;
     /// Distance of the farthest pixel that a sample is spread to, along rows and columns (section 5).
     static constexpr int spreadReach = 7;
-    /// Greatest number of a pixel's samples that are spread to other pixels: its first. More would cost more time than the rays they save.
+    /// Greatest number of a pixel's samples that are spread to other pixels: its first. More would cost more time than the rays they
+    /// save.
     std::uint32_t mostSentSamples = 32;
     /// Cells in a row and in a column of the density table of an aperture that is not a disc.
     static constexpr int densityCells = 64;
@@ -69,11 +70,11 @@ struct Settings
 
     /// @name Estimator of a pixel's variance (section 3)
     /// @{
-    /// Weight of a quadrant's variance ratio of the previous round against that of this round, in equally noisy pixels. The first ratio is 1,
-    /// so quadrants with few noisy pixels keep a ratio on the safe side.
+    /// Weight of a quadrant's variance ratio of the previous round against that of this round, in equally noisy pixels. The first ratio
+    /// is 1, so quadrants with few noisy pixels keep a ratio on the safe side.
     double varianceRatioPrior = 16.0;
-    /// A pixel keeps its own variance ratio if it exceeds that of its quadrant by this factor: otherwise filters would take the pixel for
-    /// exact.
+    /// A pixel keeps its own variance ratio if it exceeds that of its quadrant by this factor: otherwise filters would take the pixel
+    /// for exact.
     double outlyingRatio = 4.0;
     /// @}
 
@@ -86,8 +87,8 @@ struct Settings
     static constexpr std::uint32_t emitterStratum = 4;
     /// Points on a circle around the aperture from which the bounding box of an emitter's circle of confusion is computed.
     static constexpr int blurBoxPoints = 16;
-    /// Greatest number of bins in a row or column of the picture; least side of a bin, in pixels; greatest number of emitters in a bin, the
-    /// brightest.
+    /// Greatest number of bins in a row or column of the picture; least side of a bin, in pixels; greatest number of emitters in a bin,
+    /// the brightest.
     static constexpr std::uint32_t emitterBins = 64, leastEmitterBinSide = 8;
     static constexpr std::size_t emittersOfBin = 1024;
     /// Blur, in pixels, above which the lens point is importance-sampled; below, the film point.
@@ -96,8 +97,8 @@ struct Settings
     double emitterShare = 0.5;
     /// Greatest number of emitters that a pixel's samples are aimed at: the brightest. 0: no emitter sampling.
     std::uint32_t emittersOfPixel = 16;
-    /// Emitter samples that must miss before the emitter is taken for hidden: an object fills only a part of its bounding sphere, and this
-    /// part may lie in two pixels.
+    /// Emitter samples that must miss before the emitter is taken for hidden: an object fills only a part of its bounding sphere, and
+    /// this part may lie in two pixels.
     std::uint32_t hiddenEmitterSamples = 16;
     /// @}
 

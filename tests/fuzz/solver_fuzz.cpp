@@ -122,7 +122,7 @@ void Use(const Lens& lens, const Statement& s, std::uint32_t seed)
     }
 }
 
-}  // namespace
+} // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

@@ -87,4 +87,4 @@ TEST(LensPoints, PolygonIsFilledEvenly)
     }
 }
 
-}  // namespace
+} // namespace

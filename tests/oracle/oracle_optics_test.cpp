@@ -155,4 +155,4 @@ TEST(OracleCaseFile, WrongItemsAreNamed)
     EXPECT_THROW(ReadCase(empty), std::runtime_error);
 }
 
-}  // namespace
+} // namespace

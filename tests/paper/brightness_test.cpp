@@ -77,4 +77,4 @@ TEST(Edges, FindFractionsOfAPixel)
     EXPECT_NEAR(edges.right, 7.5, 1e-12);
 }
 
-}  // namespace
+} // namespace

@@ -76,4 +76,4 @@ TEST(GlassLens, HasItsFNumber)
     EXPECT_NEAR(2.0 * widest, 50.0 / 8.0, 0.03);
 }
 
-}  // namespace
+} // namespace

@@ -90,4 +90,4 @@ TEST(Steepness, MatchesAStep)
     EXPECT_THROW(paper::MeanSteepness(picture, {5, -20}, {15, -20}, 1.0), std::invalid_argument);
 }
 
-}  // namespace
+} // namespace

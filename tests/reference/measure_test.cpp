@@ -139,4 +139,4 @@ TEST(PictureFile, ReferenceSurvivesItsFile)
     std::filesystem::remove(path);
 }
 
-}  // namespace
+} // namespace

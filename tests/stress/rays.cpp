@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file rays.cpp
-/// Solver and rays against 50 digits: `stress_rays SET CAMERAS SEED` writes JSON. SET: `random` (photography) or one of extreme_cameras.h.
+/// Solver and rays against 50 digits: `stress_rays SET CAMERAS SEED` writes JSON. SET: `random` (photography) or one of
+/// extreme_cameras.h.
 ///
-/// Errors of a ray. Last places: length of the difference over that of the direction, over 2^-52. Pixels, of 100,000: on the film, to the
-/// point whose true ray has this direction. A lens that reaches to the film flips that map (its determinant 1 - k.l passes 0); the angle in
-/// the chief ray's pixels counts if smaller.
+/// Errors of a ray. Last places: length of the difference over that of the direction, over 2^-52. Pixels, of 100,000: on the film, to
+/// the point whose true ray has this direction. A lens that reaches to the film flips that map (its determinant 1 - k.l passes 0); the
+/// angle in the chief ray's pixels counts if smaller.
 ///
-/// In a narrow picture the last places alone exceed a millionth of a pixel: there the error is relative to rounding to nearest, and to the
-/// largest angle of such a rounding.
+/// In a narrow picture the last places alone exceed a millionth of a pixel: there the error is relative to rounding to nearest, and to
+/// the largest angle of such a rounding.
 
 #include <cstdio>
 #include <fstream>
@@ -232,8 +233,8 @@ json Report(const Run& run)
             {"worst", run.worst}};
 }
 
-}  // namespace
-}  // namespace tilt_lens
+} // namespace
+} // namespace tilt_lens
 
 int main(int argc, char** argv)
 {

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sampler.cpp
-/// `stress_sampler LOG2_SAMPLES` writes JSON: quality of 2-D projections up to 2^LOG2_SAMPLES samples, repeats, the end of the index, the
-/// lens pair's star discrepancy, correlation of neighbours.
+/// `stress_sampler LOG2_SAMPLES` writes JSON: quality of 2-D projections up to 2^LOG2_SAMPLES samples, repeats, the end of the index,
+/// the lens pair's star discrepancy, correlation of neighbours.
 ///
-/// H. Niederreiter, "Random Number Generation and Quasi-Monte Carlo Methods" (1992), theorem 4.7: a (0, m, 2)-net in base 2 has N D* <= m/2
-/// + 3/2. J. H. Halton, S. K. Zaremba, "The extreme and L2 discrepancies of some plane sets" (1969): Hammersley's N = 2^m points have N D*
-/// = m/3 + 13/9 - (-1)^m 4/(9 N).
+/// H. Niederreiter, "Random Number Generation and Quasi-Monte Carlo Methods" (1992), theorem 4.7: a (0, m, 2)-net in base 2 has N D* <=
+/// m/2 + 3/2. J. H. Halton, S. K. Zaremba, "The extreme and L2 discrepancies of some plane sets" (1969): Hammersley's N = 2^m points
+/// have N D* = m/3 + 13/9 - (-1)^m 4/(9 N).
 
 #include <algorithm>
 #include <cmath>
@@ -199,7 +199,7 @@ double NeighbourCorrelation(int samples, std::uint32_t dx, std::uint32_t dy, std
     return worst;
 }
 
-}  // namespace
+} // namespace
 
 int main(int argc, char** argv)
 {

@@ -294,7 +294,7 @@ void Run(int argc, char** argv)
         Average(pictures, arguments.output);
 }
 
-}  // namespace
+} // namespace
 
 int main(int argc, char** argv)
 {

@@ -76,7 +76,7 @@ void OnPolygon(double u, double v, int blades, double degrees, LensPoint& point)
     point.b = outward * ((1.0 - along) * std::sin(start) + along * std::sin(start + turn));
 }
 
-}  // namespace
+} // namespace
 
 std::vector<LensPoint> LensPoints(std::uint32_t count, std::uint32_t seed, int blades, double bladesAngle)
 {
@@ -106,4 +106,4 @@ std::vector<LensPoint> LensPoints(std::uint32_t count, std::uint32_t seed, int b
     return points;
 }
 
-}  // namespace witness
+} // namespace witness

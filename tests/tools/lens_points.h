@@ -24,6 +24,6 @@ struct LensPoint
 /// @param bladesAngle degrees, counter-clockwise; 0: a corner points right
 std::vector<LensPoint> LensPoints(std::uint32_t count, std::uint32_t seed, int blades, double bladesAngle);
 
-}  // namespace witness
+} // namespace witness
 
 #endif

@@ -31,7 +31,7 @@ void ForEachBox(const Picture& picture, int box, Visit visit)
             }
 }
 
-}  // namespace
+} // namespace
 
 bool IsFinite(const Picture& picture)
 {
@@ -130,4 +130,4 @@ ZTest TestNoisy(const Picture& picture, const Reference& reference, const ZTestS
     return result;
 }
 
-}  // namespace witness
+} // namespace witness

@@ -57,6 +57,6 @@ ZTest TestNoisy(const Picture& picture, const Reference& reference, const ZTestS
 /// Two-sided, in standard errors: one of `count` Gaussian values exceeds it with probability `significance`.
 double SidakLimit(double significance, double count);
 
-}  // namespace witness
+} // namespace witness
 
 #endif

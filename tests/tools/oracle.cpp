@@ -51,7 +51,7 @@ void ShowCamera(const std::string& path)
               << '\n';
 }
 
-}  // namespace
+} // namespace
 
 int main(int argc, char** argv)
 {

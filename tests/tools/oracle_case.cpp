@@ -108,7 +108,7 @@ CameraGiven ReadCamera(const json& text)
     return camera;
 }
 
-}  // namespace
+} // namespace
 
 OracleCase ReadCase(const json& text)
 {
@@ -124,4 +124,4 @@ OracleCase ReadCase(const json& text)
     return result;
 }
 
-}  // namespace witness
+} // namespace witness

@@ -85,6 +85,6 @@ OracleCase ReadCase(const nlohmann::json& text);
 /// @throws std::runtime_error no such picture.
 CameraSolved SolveCase(const CameraGiven& given, double aspect);
 
-}  // namespace witness
+} // namespace witness
 
 #endif

@@ -1,9 +1,9 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Optics of a case, independent of the fork: the imaging equation 1/u + 1/v = 1/f along the lens normal for a stated lens, in homogeneous
-// coordinates, which include images at infinity; Scheimpflug's rule for a stated plane. Camera frame: lens centre at the origin, x right, y
-// up, z into the scene, film at z = -s.
+// Optics of a case, independent of the fork: the imaging equation 1/u + 1/v = 1/f along the lens normal for a stated lens, in
+// homogeneous coordinates, which include images at infinity; Scheimpflug's rule for a stated plane. Camera frame: lens centre at the
+// origin, x right, y up, z into the scene, film at z = -s.
 
 #include <stdexcept>
 
@@ -195,7 +195,7 @@ void Transform(const Transformation& step, CameraSolved& camera)
     camera.filmDistance *= factor;
 }
 
-}  // namespace
+} // namespace
 
 CameraSolved SolveCase(const CameraGiven& given, double aspect)
 {
@@ -223,4 +223,4 @@ CameraSolved SolveCase(const CameraGiven& given, double aspect)
     return solved;
 }
 
-}  // namespace witness
+} // namespace witness

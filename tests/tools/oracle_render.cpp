@@ -132,7 +132,7 @@ Picture Mean(const RenderSettings& settings, const OracleCase& description, Rang
     return sum;
 }
 
-}  // namespace
+} // namespace
 
 std::string AnimationScene(const OracleCase& description, const CameraSolved& camera, const std::vector<LensPoint>& points, int first)
 {
@@ -189,4 +189,4 @@ Reference RenderOracle(const OracleCase& description, const RenderSettings& sett
     return Average(batches);
 }
 
-}  // namespace witness
+} // namespace witness

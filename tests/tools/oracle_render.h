@@ -35,6 +35,6 @@ std::string AnimationScene(const OracleCase& description, const CameraSolved& ca
 /// @throws std::runtime_error a failed program, or a missing frame.
 Reference RenderOracle(const OracleCase& description, const RenderSettings& settings);
 
-}  // namespace witness
+} // namespace witness
 
 #endif

@@ -90,7 +90,7 @@ void Write(const std::string& path, const OIIO::ImageSpec& spec, OIIO::TypeDesc 
         throw std::runtime_error("cannot write " + path + ": " + output->geterror());
 }
 
-}  // namespace
+} // namespace
 
 Picture ReadPicture(const std::string& path)
 {
@@ -194,4 +194,4 @@ Reference Average(const std::vector<Picture>& batches)
     return result;
 }
 
-}  // namespace witness
+} // namespace witness

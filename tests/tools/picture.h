@@ -72,6 +72,6 @@ void WritePixels(const std::string& path, std::ostream& out);
 /// All pictures have one size.
 Reference Average(const std::vector<Picture>& batches);
 
-}  // namespace witness
+} // namespace witness
 
 #endif

@@ -46,6 +46,6 @@ inline Vector Unit(const Vector& a)
     return (1.0 / Length(a)) * a;
 }
 
-}  // namespace witness
+} // namespace witness
 
 #endif

@@ -193,5 +193,5 @@ TEST(ApertureCopy, CopiesOutliveTheOriginal)
     EXPECT_NEAR((copy(0.25, 0.5).a + 1) / 2, 0.5, 1e-3);  // square root of u
 }
 
-}  // namespace
-}  // namespace tilt_lens
+} // namespace
+} // namespace tilt_lens

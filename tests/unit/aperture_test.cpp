@@ -321,5 +321,5 @@ TEST(AperturePolygon, RefusesImpossibleDiaphragms)
     }
 }
 
-}  // namespace
-}  // namespace tilt_lens
+} // namespace
+} // namespace tilt_lens

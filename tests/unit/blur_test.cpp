@@ -122,5 +122,5 @@ TEST(PlaneOfBlur, MeetInTheHingeLine)
     });
 }
 
-}  // namespace
-}  // namespace tilt_lens
+} // namespace
+} // namespace tilt_lens

@@ -302,5 +302,5 @@ TEST(PaperEquation, HoldsInBothDirections)
     }
 }
 
-}  // namespace
-}  // namespace tilt_lens
+} // namespace
+} // namespace tilt_lens

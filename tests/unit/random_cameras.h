@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file random_cameras.h
-/// Random solvable cameras of every family and both handednesses, printable for failures. Beyond photography: angles of view from 10 to 100
-/// degrees, lens turns up to 30, planes up to 75 degrees, focus from 5 to 10^4 focal lengths, f/1 to f/32.
+/// Random solvable cameras of every family and both handednesses, printable for failures. Beyond photography: angles of view from 10 to
+/// 100 degrees, lens turns up to 30, planes up to 75 degrees, focus from 5 to 10^4 focal lengths, f/1 to f/32.
 
 #ifndef TILT_LENS_TESTS_RANDOM_CAMERAS_H
 #define TILT_LENS_TESTS_RANDOM_CAMERAS_H
@@ -196,6 +196,6 @@ inline Request SolvableRequest(Random& random, FocusFamily family, bool focalLen
     }
 }
 
-}  // namespace tilt_lens
+} // namespace tilt_lens
 
 #endif

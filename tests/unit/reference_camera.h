@@ -187,6 +187,6 @@ class ReferenceCamera
     }
 };
 
-}  // namespace tilt_lens
+} // namespace tilt_lens
 
 #endif

@@ -404,5 +404,5 @@ TEST(PixelHash, FlippingAnyInputBitFlipsHalfOfTheOutput)
         }
 }
 
-}  // namespace
-}  // namespace tilt_lens
+} // namespace
+} // namespace tilt_lens

@@ -50,6 +50,6 @@ inline double ChiSquareP(const std::vector<double>& count)
     return ChiSquareP(count, std::vector<double>(count.size(), 1.0 / static_cast<double>(count.size())));
 }
 
-}  // namespace tilt_lens
+} // namespace tilt_lens
 
 #endif

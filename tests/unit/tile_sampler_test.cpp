@@ -412,5 +412,5 @@ TEST(BlockCache, MemoryOfABlock)
     EXPECT_LE(sizeof(PixelResult) + 2.0 * seen, 320.0);
 }
 
-}  // namespace
-}  // namespace tilt_lens
+} // namespace
+} // namespace tilt_lens

@@ -65,6 +65,6 @@ Picture ReadPicture(const std::string& path);
 Layers ReadLayers(const std::string& path);
 void WritePicture(const Picture& picture, const std::string& path);
 
-}  // namespace refocus
+} // namespace refocus
 
 #endif

@@ -37,7 +37,7 @@ inline AperturePoint PointOnDisc(double u, double v)
     return point;
 }
 
-}  // namespace
+} // namespace
 
 struct Aperture::Outline
 {
@@ -250,4 +250,4 @@ double Aperture::BoundingRadius() const
                       shape);
 }
 
-}  // namespace tilt_lens
+} // namespace tilt_lens

@@ -91,7 +91,7 @@ class Tabulation
     std::vector<double> mean;
 };
 
-}  // namespace
+} // namespace
 
 double CellDistribution::Build(const double* weight)
 {
@@ -160,4 +160,4 @@ double AperturePicture::Density(const AperturePoint& point) const
     return marginal.Density(u) * conditional[column].Density(v) / 4;
 }
 
-}  // namespace tilt_lens
+} // namespace tilt_lens

@@ -62,6 +62,6 @@ class AperturePicture
     std::vector<CellDistribution> conditional;
 };
 
-}  // namespace tilt_lens
+} // namespace tilt_lens
 
 #endif

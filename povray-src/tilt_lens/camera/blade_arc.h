@@ -66,6 +66,6 @@ inline std::vector<AperturePoint> Arc(int blades, double curvature, int chords)
     return points;
 }
 
-}  // namespace tilt_lens
+} // namespace tilt_lens
 
 #endif

@@ -117,7 +117,7 @@ double LeastRoot(double a, double c, double b)
     return kInfinity;
 }
 
-}  // namespace
+} // namespace
 
 double FoldOf(double distortion2, double distortion4, double cube)
 {
@@ -183,4 +183,4 @@ double PictureStretch(const Lens& lens, const FilmPoint& picture)
     return 1.0 / std::sqrt(least);
 }
 
-}  // namespace tilt_lens
+} // namespace tilt_lens

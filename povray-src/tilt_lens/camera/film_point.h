@@ -88,6 +88,6 @@ double PictureStretch(const Lens& lens, const FilmPoint& picture);
 /// @param cube  coefficient of the tangent's third power along the direction in question
 double FoldOf(double distortion2, double distortion4, double cube = 0.0);
 
-}  // namespace tilt_lens
+} // namespace tilt_lens
 
 #endif

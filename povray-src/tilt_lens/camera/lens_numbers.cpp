@@ -183,4 +183,4 @@ double VergenceOfBlur(const Lens& lens, const Vec3& chief, double pixels, double
     return lens.fieldCurvature == 0.0 ? ideal : ideal + FieldVergence(lens, chief);
 }
 
-}  // namespace tilt_lens
+} // namespace tilt_lens

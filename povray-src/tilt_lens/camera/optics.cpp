@@ -189,7 +189,8 @@ Solution SolveFilm(const RealVec& t, const Real& f, const Real& s)
     return {t, f, s, {t.x / f, t.y / f, t.z / f - 1 / s}};
 }
 
-/// Lens turned after it was focused at a distance from the film: before the turn the sum of film and subject distance, s + f s / (s - f).
+/// Lens turned after it was focused at a distance from the film: before the turn the sum of film and subject distance,
+/// s + f s / (s - f).
 Solution SolveFocusScale(const RealVec& t, const Real& scale, const std::optional<Real>& focalLength, const Real& angleFilmDistance)
 {
     if (!focalLength)

@@ -185,6 +185,6 @@ Vec3 PlaneOfBlur(const Lens& lens, double pixels, double width);
 double VergenceOfBlur(const Lens& lens, const Vec3& chief, double pixels, double width);
 /// @}
 
-}  // namespace tilt_lens
+} // namespace tilt_lens
 
 #endif

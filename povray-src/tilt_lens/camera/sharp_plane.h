@@ -53,6 +53,6 @@ Real GreatestResidual(const std::vector<VergenceEquation>& equations, const Real
 /// The strict Chebyshev solution k; the shortest one if directions do not span space.
 RealVec LeastGreatestBlur(const std::vector<VergenceEquation>& equations);
 
-}  // namespace tilt_lens
+} // namespace tilt_lens
 
 #endif

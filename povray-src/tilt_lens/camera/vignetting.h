@@ -91,6 +91,6 @@ class Vignetting
     void Tabulate(const Aperture& aperture);
 };
 
-}  // namespace tilt_lens
+} // namespace tilt_lens
 
 #endif

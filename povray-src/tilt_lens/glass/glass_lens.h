@@ -130,6 +130,6 @@ class GlassLens
     Passage TraceAlong(Iterator first, Iterator end, GlassRay& ray, StopPoint& stop, bool rims) const;
 };
 
-}  // namespace tilt_lens
+} // namespace tilt_lens
 
 #endif

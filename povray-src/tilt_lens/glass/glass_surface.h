@@ -102,6 +102,6 @@ TILT_LENS_INLINED MaskOf<Number> CrossStop(const GlassSurface& surface, GlassRay
 template<bool towardsScene>
 Crossing<double> CrossAsphere(const GlassSurface& surface, GlassRay& ray);
 
-}  // namespace tilt_lens
+} // namespace tilt_lens
 
 #endif

@@ -37,6 +37,6 @@ double StateFor(const Prescription& prescription, const std::function<double(dou
 /// @throws PrescriptionError
 void RequireFocuses(const Prescription& prescription, int line);
 
-}  // namespace tilt_lens
+} // namespace tilt_lens
 
 #endif

@@ -281,7 +281,7 @@ PupilEllipse EllipseAround(const Spokes& spokes, const PupilPoint& inside, const
         {middle[0] * radial.l - middle[1] * radial.m, middle[0] * radial.m + middle[1] * radial.l}, farthest * half[0], farthest * half[1]};
 }
 
-}  // namespace
+} // namespace
 
 std::optional<PupilView> ViewOf(const GlassLens& lens, const Vec3& film, const std::optional<PupilPoint>& near)
 {
@@ -307,4 +307,4 @@ std::optional<PupilView> ViewOf(const GlassLens& lens, const Vec3& film, const s
     return view;
 }
 
-}  // namespace tilt_lens
+} // namespace tilt_lens

@@ -303,7 +303,7 @@ TILT_LENS_INLINED void FilterChannels(const FilterInput& around, const FilterOut
     }
 }
 
-}  // namespace
+} // namespace
 
 void FilterBlock(const FilterInput& input, const FilterOutput& output)
 {
@@ -325,4 +325,4 @@ void EstimateSpread(const FilterInput& input, const FilterOutput& output)
     }
 }
 
-}  // namespace tilt_lens::TILT_LENS_VARIANT
+} // namespace tilt_lens::TILT_LENS_VARIANT

@@ -243,7 +243,7 @@ TILT_LENS_INLINED void Send(Planes& planes, const CirclePixels& pixels, const fl
     }
 }
 
-}  // namespace
+} // namespace
 
 bool SpreadSample(Planes& planes, int column, int row, const CircleOfConfusion& circle, const double* radiance, float weight)
 {
@@ -267,4 +267,4 @@ bool SpreadSample(Planes& planes, int column, int row, const CircleOfConfusion& 
     return true;
 }
 
-}  // namespace tilt_lens::TILT_LENS_VARIANT
+} // namespace tilt_lens::TILT_LENS_VARIANT

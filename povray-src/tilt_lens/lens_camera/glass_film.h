@@ -135,6 +135,6 @@ struct GlassFilm
     }
 };
 
-}  // namespace tilt_lens
+} // namespace tilt_lens
 
 #endif

@@ -71,6 +71,6 @@ class LensCamera
 /// True if POV-Ray's own picture is equal: an ideal pinhole with even light.
 bool IsPlainPinhole(const SolvedLens& lens, const Character& character);
 
-}  // namespace tilt_lens
+} // namespace tilt_lens
 
 #endif

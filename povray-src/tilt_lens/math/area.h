@@ -28,6 +28,6 @@ struct Area
     std::size_t IndexOf(std::uint32_t x, std::uint32_t y) const { return (y - top) * std::size_t(width) + (x - left); }
 };
 
-}  // namespace tilt_lens
+} // namespace tilt_lens
 
 #endif

@@ -98,6 +98,6 @@ inline Radiance RelativeTo(const Radiance& mean, Radiance variance)
     return variance;
 }
 
-}  // namespace tilt_lens
+} // namespace tilt_lens
 
 #endif

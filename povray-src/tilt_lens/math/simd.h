@@ -193,6 +193,6 @@ TILT_LENS_INLINED bool All(const Mask& mask)
         return SignBits((Mask4)mask) == 0xf;
 }
 
-}  // namespace tilt_lens
+} // namespace tilt_lens
 
 #endif

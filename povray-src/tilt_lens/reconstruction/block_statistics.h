@@ -78,6 +78,6 @@ class PaddedBlock
     bool transparent = false;
 };
 
-}  // namespace tilt_lens
+} // namespace tilt_lens
 
 #endif

@@ -64,6 +64,6 @@ TILT_LENS_INLINED Vector Filtered(const float* at, int step)
     return sum;
 }
 
-}  // namespace tilt_lens
+} // namespace tilt_lens
 
 #endif

@@ -44,6 +44,6 @@ class PaddedSpread
     void Finish(const Received& received, std::size_t at);
 };
 
-}  // namespace tilt_lens
+} // namespace tilt_lens
 
 #endif

@@ -56,6 +56,6 @@ ReconstructedBlock Reconstruct(const PaddedBlock& around, const PaddedSpread* sp
 /// For pixels with one sample: without a noise estimate no risk is known.
 ReconstructedBlock SpreadEstimates(const PaddedBlock& around, const PaddedSpread& spread);
 
-}  // namespace tilt_lens
+} // namespace tilt_lens
 
 #endif

@@ -142,6 +142,6 @@ class SpreadSums : private SpreadPlanes
     bool IsSpread() const { return spread; }
 };
 
-}  // namespace tilt_lens
+} // namespace tilt_lens
 
 #endif

@@ -32,8 +32,8 @@ void TakeRound(PixelStatistics& pixel, std::uint32_t x, std::uint32_t y, std::ui
     }
 }
 
-/// Takes the missing samples of active pixels, up to number `until`. A reactivated pixel catches up round by round, so that its two buffers
-/// divide as those of other pixels.
+/// Takes the missing samples of active pixels, up to number `until`. A reactivated pixel catches up round by round, so that its two
+/// buffers divide as those of other pixels.
 /// @param sent  receives the samples that serve other pixels; may be null
 void TakeSamples(BlockEstimate& estimate, std::uint32_t until, const SamplingLimits& limits, SentSamples* sent, const Tracer& trace)
 {
@@ -73,7 +73,7 @@ std::vector<std::uint32_t> SamplesOf(const BlockEstimate& estimate)
     return samples;
 }
 
-}  // namespace
+} // namespace
 
 bool Block::TakeStep(int stepsTaken, const Neighbours& neighbours, const SamplingLimits& limits, const Tracer& trace)
 {
@@ -227,4 +227,4 @@ Rows Block::NoisyRows(const SamplingLimits& limits) const
     return rows;
 }
 
-}  // namespace tilt_lens
+} // namespace tilt_lens

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file block_cache.h
-/// The blocks of the current picture, common to all render threads. A tile needs its own blocks and depends on neighbouring blocks, which
-/// belong to other tiles: the first thread that needs a block samples it, and it is freed when no remaining tile depends on it
+/// The blocks of the current picture, common to all render threads. A tile needs its own blocks and depends on neighbouring blocks,
+/// which belong to other tiles: the first thread that needs a block samples it, and it is freed when no remaining tile depends on it
 /// (docs/sampling.md, section 7).
 
 #ifndef TILT_LENS_BLOCK_CACHE_H
@@ -35,8 +35,8 @@ class BlockCache
 
     static Place PlaceOf(std::uint32_t x, std::uint32_t y) { return {y / settings.blockSide, x / settings.blockSide}; }
 
-    /// Takes steps until the blocks at these places have taken all; places outside the picture are ignored. While other threads compute the
-    /// missing steps, this thread works ahead on others; it waits only if there are none.
+    /// Takes steps until the blocks at these places have taken all; places outside the picture are ignored. While other threads compute
+    /// the missing steps, this thread works ahead on others; it waits only if there are none.
     void Finish(const std::vector<Place>& wanted, const Tracer& trace);
 
     /// The block at a place; null outside the picture, and if no remaining pixel depends on it. It lives as long as the caller holds it.

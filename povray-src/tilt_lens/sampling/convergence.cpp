@@ -19,8 +19,8 @@ namespace tilt_lens
 namespace
 {
 
-/// Pixels with wide circles of confusion decide together with their neighbours, since all see the same: if each decided alone, a pixel that
-/// missed a lamp by chance would stop dark, and one that hit it would go on and dilute it. Sharp pixels decide alone.
+/// Pixels with wide circles of confusion decide together with their neighbours, since all see the same: if each decided alone, a pixel
+/// that missed a lamp by chance would stop dark, and one that hit it would go on and dilute it. Sharp pixels decide alone.
 /// @param samples  taken by pixels that have been active; active pixels with fewer still have to catch up
 void DecideTogether(BlockEstimate& estimate, std::uint32_t samples)
 {
@@ -39,8 +39,8 @@ void DecideTogether(BlockEstimate& estimate, std::uint32_t samples)
     }
 }
 
-/// Raises variance and excess of converged pixels whose neighbours have hit more since: an edge that all missed at first is then followed
-/// from pixel to pixel.
+/// Raises variance and excess of converged pixels whose neighbours have hit more since: an edge that all missed at first is then
+/// followed from pixel to pixel.
 /// @param variances  by all samples so far
 void RaiseWhereNeighboursFoundMore(BlockEstimate& estimate, const std::vector<double>& variances)
 {
@@ -65,7 +65,7 @@ std::vector<std::size_t> Candidates(const BlockEstimate& estimate, std::uint32_t
     return candidates;
 }
 
-}  // namespace
+} // namespace
 
 double ConfidenceFactor(std::uint32_t samples, double confidence)
 {
@@ -84,7 +84,8 @@ bool HasSearchedEmitters(const PixelStatistics& own, double target)
     const double n = own.EmitterSamples();
     if (n == 0.0 || n >= settings.hiddenEmitterSamples)
         return true;
-    // mean of q^2 exp(-q n) over the share q of the pixel that a lamp covers, uniform in [0, 1]: square error of a missed lamp of radiance 1
+    // mean of q^2 exp(-q n) over the share q of the pixel that a lamp covers, uniform in [0, 1]: square error of a missed lamp of
+    // radiance 1
     const double missed = (2.0 - (2.0 + n * (2.0 + n)) * std::exp(-n)) / (n * n * n);
     return std::min(1.0, Square(own.ExpectedEmission())) * missed <= target;
 }
@@ -135,4 +136,4 @@ std::uint32_t ActivateWhereMissed(BlockEstimate& estimate, const PaddedSpread& r
     return fewest;
 }
 
-}  // namespace tilt_lens
+} // namespace tilt_lens

@@ -10,8 +10,8 @@
 ///
 /// with the confidence factor K. Pixels with wide circles of confusion decide together.
 ///
-/// Source of stopping by variance and confidence: M. E. Lee, R. A. Redner, S. P. Uselton, "Statistically optimized sampling for distributed
-/// ray tracing", SIGGRAPH 1985.
+/// Source of stopping by variance and confidence: M. E. Lee, R. A. Redner, S. P. Uselton, "Statistically optimized sampling for
+/// distributed ray tracing", SIGGRAPH 1985.
 
 #ifndef TILT_LENS_CONVERGENCE_H
 #define TILT_LENS_CONVERGENCE_H
@@ -28,8 +28,8 @@ namespace tilt_lens
 /// freedom of the samples of a quadrant, the smallest part of the picture whose error is meant.
 double ConfidenceFactor(std::uint32_t samples, double confidence);
 
-/// Variance assumed for the mean of `samples` samples because isolated pixels have hit something that others may have missed. A feature hit
-/// by one of firstSamples samples covers about 1 / firstSamples of the pixel; the missed share falls as samples grow.
+/// Variance assumed for the mean of `samples` samples because isolated pixels have hit something that others may have missed. A feature
+/// hit by one of firstSamples samples covers about 1 / firstSamples of the pixel; the missed share falls as samples grow.
 /// @param loneVariance  of the Neighbourhood
 double LoneVariance(double loneVariance, std::uint32_t firstSamples, std::uint32_t samples);
 
@@ -45,6 +45,6 @@ bool UpdateConvergence(BlockEstimate& estimate, const Neighbourhood& around, con
 /// @return  fewest samples of an active pixel; 0: no pixel is active
 std::uint32_t ActivateWhereMissed(BlockEstimate& estimate, const PaddedSpread& received, const SamplingLimits& limits);
 
-}  // namespace tilt_lens
+} // namespace tilt_lens
 
 #endif

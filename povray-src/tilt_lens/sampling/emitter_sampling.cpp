@@ -261,4 +261,4 @@ double EmitterSampling::Density(const Kept& emitter, const CameraSample& sample)
     return off <= emitter.imageRadius ? 1.0 / (pi * emitter.imageRadius * emitter.imageRadius) : 0.0;
 }
 
-}  // namespace tilt_lens
+} // namespace tilt_lens

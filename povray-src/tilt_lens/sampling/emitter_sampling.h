@@ -101,6 +101,6 @@ class EmitterSampling
     double Density(const Kept& emitter, const CameraSample& sample) const;
 };
 
-}  // namespace tilt_lens
+} // namespace tilt_lens
 
 #endif

@@ -22,8 +22,8 @@ std::size_t PlaneIndex(const BlockEstimate& estimate, std::size_t pixel)
     return pixel / estimate.area.width * settings.blockSide + pixel % estimate.area.width;
 }
 
-/// Residual variance ratios, by the block's samples and, after the first round, its neighbours'. Later the block alone counts: the greater
-/// noise of the neighbours' first rounds would be taken for its own error.
+/// Residual variance ratios, by the block's samples and, after the first round, its neighbours'. Later the block alone counts: the
+/// greater noise of the neighbours' first rounds would be taken for its own error.
 BlockPlane ForecastRatios(BlockEstimate& estimate, const Neighbourhood& around, std::uint32_t samples, bool afterFirstRound)
 {
     UpdateBlockStatistics(estimate, samples);
@@ -76,8 +76,8 @@ void UpdateBlockStatistics(BlockEstimate& estimate, std::uint32_t samples)
 
 bool UpdateForecast(BlockEstimate& estimate, const std::vector<std::size_t>& candidates, const Neighbourhood& around, std::uint32_t samples)
 {
-    // The residual ratio rises as noise falls, so the last round's ratio is optimistic: skip the forecast if even this ratio would save too
-    // few rays.
+    // The residual ratio rises as noise falls, so the last round's ratio is optimistic: skip the forecast if even this ratio would save
+    // too few rays.
     const auto saved = std::count_if(candidates.begin(), candidates.end(), [&estimate](std::size_t i)
     {
         const PixelEstimate& pixel = estimate.pixels[i];

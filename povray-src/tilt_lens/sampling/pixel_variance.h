@@ -6,9 +6,9 @@
 ///
 ///     variance ratio * (variance of one sample) / n
 ///
-/// The variance of one sample comes from the pixel's own samples, those of its neighbours, and those that have circles of confusion around
-/// the pixel. The variance ratio says how much better n samples of a stratified sequence are than n independent ones. It is measured by the
-/// difference of the two sample buffers, a single number for each pixel, and therefore pooled over pixels.
+/// The variance of one sample comes from the pixel's own samples, those of its neighbours, and those that have circles of confusion
+/// around the pixel. The variance ratio says how much better n samples of a stratified sequence are than n independent ones. It is
+/// measured by the difference of the two sample buffers, a single number for each pixel, and therefore pooled over pixels.
 
 #ifndef TILT_LENS_PIXEL_VARIANCE_H
 #define TILT_LENS_PIXEL_VARIANCE_H
@@ -21,8 +21,8 @@
 namespace tilt_lens
 {
 
-/// Variance of a pixel's sample by other pixels' samples. Each sample spreads its radiance and its square over its circle of confusion, so a
-/// pixel whose own samples missed a blurred lamp learns about it.
+/// Variance of a pixel's sample by other pixels' samples. Each sample spreads its radiance and its square over its circle of confusion,
+/// so a pixel whose own samples missed a blurred lamp learns about it.
 class CircleVariance
 {
   public:
@@ -50,21 +50,21 @@ class CircleVariance
 /// @param variance  of one sample, by the pixel's own samples or those around
 Radiance VarianceOfMean(const BlockEstimate& estimate, std::size_t pixel, const Radiance& variance);
 
-/// Variance of each pixel's mean, for the stop rule: the worst channel. A pixel's variance of one sample is at least the mean of its 3 by 3
-/// window, since from few samples its own is unreliable, and zero where a feature was missed.
+/// Variance of each pixel's mean, for the stop rule: the worst channel. A pixel's variance of one sample is at least the mean of its 3
+/// by 3 window, since from few samples its own is unreliable, and zero where a feature was missed.
 std::vector<double> VariancesToDecide(const BlockEstimate& estimate);
 
 /// After a round, updates the variance ratios of the block's active pixels, one per quadrant.
 /// @param samples  of an active pixel
 void UpdateVarianceRatios(BlockEstimate& estimate, std::uint32_t samples);
 
-/// Variance ratio of each pixel for the reconstruction: of its quadrant; an outlier's own, where nearly all pixels fill the strata evenly and
-/// this one does not.
+/// Variance ratio of each pixel for the reconstruction: of its quadrant; an outlier's own, where nearly all pixels fill the strata
+/// evenly and this one does not.
 std::vector<double> RatiosOrOutliers(const BlockEstimate& estimate);
 
-/// Variance ratio of the mean of both buffers, from the ratio measured between them. If the variance falls as n^-a, a >= 1, the buffers of
-/// a prefix of n = g n_A samples differ by (g^a - 1) / (g - 1) times the variance of their mean, and a ratio that began at 1 is n^(1 - a).
-/// Both equations have one solution, found by iteration.
+/// Variance ratio of the mean of both buffers, from the ratio measured between them. If the variance falls as n^-a, a >= 1, the buffers
+/// of a prefix of n = g n_A samples differ by (g^a - 1) / (g - 1) times the variance of their mean, and a ratio that began at 1 is n^(1
+/// - a). Both equations have one solution, found by iteration.
 /// @param growth  g, all samples over those of the first buffer, above 1
 double RatioOfMean(double dualBufferRatio, double samples, double growth);
 
@@ -80,6 +80,6 @@ struct VarianceRatioTerms
     double Ratio(double before) const;
 };
 
-}  // namespace tilt_lens
+} // namespace tilt_lens
 
 #endif

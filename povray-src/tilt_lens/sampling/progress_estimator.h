@@ -59,6 +59,6 @@ class ProgressEstimator
     mutable std::mutex mutex;
 };
 
-}  // namespace tilt_lens
+} // namespace tilt_lens
 
 #endif

@@ -75,4 +75,4 @@ void SampleTracer::TraceColours(std::uint32_t place, std::uint32_t index, Sample
     result.radiance = mixed;
 }
 
-}  // namespace tilt_lens
+} // namespace tilt_lens

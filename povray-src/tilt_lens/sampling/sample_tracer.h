@@ -77,6 +77,6 @@ class SampleTracer
     void TraceColours(std::uint32_t place, std::uint32_t index, SampleResult& result);
 };
 
-}  // namespace tilt_lens
+} // namespace tilt_lens
 
 #endif

@@ -32,8 +32,8 @@ struct SamplingLimits
         return std::min(power, max);
     }
 
-    /// Samples after the round that follows the one with `samples`: twice as many up to settings.doubledSamples, then alternately 3/2 and
-    /// 4/3 times as many, so that every second round ends at a power of two.
+    /// Samples after the round that follows the one with `samples`: twice as many up to settings.doubledSamples, then alternately 3/2
+    /// and 4/3 times as many, so that every second round ends at a power of two.
     std::uint32_t NextRound(std::uint32_t samples) const
     {
         const bool power = (samples & (samples - 1)) == 0;
@@ -48,6 +48,6 @@ struct SamplingLimits
     bool Denoises() const { return denoise && variance > 0.0; }
 };
 
-}  // namespace tilt_lens
+} // namespace tilt_lens
 
 #endif

@@ -110,7 +110,7 @@ inline Lanes SobolPoint(std::uint32_t index)
     return point;
 }
 
-}  // namespace
+} // namespace
 
 PixelSampler::PixelSampler(std::uint32_t x, std::uint32_t y, std::uint32_t seed) : key(PixelKey(x, y, seed))
 {
@@ -156,4 +156,4 @@ std::uint32_t PixelHash(std::uint32_t x, std::uint32_t y, std::uint32_t seed, st
     return PixelSampler(x, y, seed).Hash(salt);
 }
 
-}  // namespace tilt_lens
+} // namespace tilt_lens

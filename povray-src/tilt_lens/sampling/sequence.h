@@ -97,6 +97,6 @@ class PixelSampler
 /// Uniform hash; different arguments give unrelated values.
 std::uint32_t PixelHash(std::uint32_t x, std::uint32_t y, std::uint32_t seed, std::uint32_t salt);
 
-}  // namespace tilt_lens
+} // namespace tilt_lens
 
 #endif

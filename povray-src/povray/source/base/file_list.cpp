@@ -48,7 +48,7 @@ void List(const std::string& entry)
     }
 }
 
-}  // namespace
+} // namespace
 
 void ListFile(const std::string& name, bool found)
 {
@@ -77,4 +77,4 @@ std::vector<std::string> SceneFiles()
     return sceneFiles;
 }
 
-}  // namespace tilt_lens
+} // namespace tilt_lens

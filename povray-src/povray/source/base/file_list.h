@@ -27,6 +27,6 @@ void StartSceneFiles();
 /// Each once, in order.
 std::vector<std::string> SceneFiles();
 
-}  // namespace tilt_lens
+} // namespace tilt_lens
 
 #endif  // POVRAY_TILT_LENS_FILE_LIST_H

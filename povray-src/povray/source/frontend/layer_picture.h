@@ -61,6 +61,6 @@ class LayerPicture
     void RequireTile(POVMS_Object& message);
 };
 
-}  // namespace pov_frontend
+} // namespace pov_frontend
 
 #endif

@@ -24,7 +24,7 @@ std::filesystem::path Prefix()
     return program.parent_path().parent_path();
 }
 
-}  // namespace
+} // namespace
 
 Folder::Folder(const char* relative) : mPath((Prefix() / relative).string()) {}
 
@@ -48,4 +48,4 @@ const Folder& ConfigFolder()
     return folder;
 }
 
-}  // namespace povray_install
+} // namespace povray_install

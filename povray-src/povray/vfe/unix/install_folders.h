@@ -31,7 +31,7 @@ const Folder& DataFolder();
 /// `<prefix>/etc/povray/3.7`: `povray.ini` and `povray.conf`.
 const Folder& ConfigFolder();
 
-}  // namespace povray_install
+} // namespace povray_install
 
 // the empty literal concatenates with a literal behind the macro
 #define POVLIBDIR ::povray_install::DataFolder() / ""

@@ -37,4 +37,4 @@ bool AreaLightSampler::ChoosePoint(const LightSource& light, unsigned int radios
     return true;
 }
 
-}  // namespace pov
+} // namespace pov

@@ -41,6 +41,6 @@ class AreaLightSampler
     unsigned int index = 0, lightsMet = 0;
 };
 
-}  // namespace pov
+} // namespace pov
 
 #endif

@@ -63,6 +63,6 @@ std::string TiltLensItemNames();
 /// Camera items that users expect inside the block.
 bool IsCameraWord(const std::string& word);
 
-}  // namespace pov
+} // namespace pov
 
 #endif

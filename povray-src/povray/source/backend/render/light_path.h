@@ -53,6 +53,6 @@ class LightPath
     static bool IsFlat(const ObjectBase& object);
 };
 
-}  // namespace pov
+} // namespace pov
 
 #endif

@@ -176,4 +176,4 @@ void TiltLensTracer::TracePreview(DBL x, DBL y, DBL width, DBL height, Colour& c
     colour /= count;
 }
 
-}  // namespace pov
+} // namespace pov

@@ -34,6 +34,6 @@ tilt_lens::Vec3 DepthAxis(const Camera& camera);
 /// @param width   of the whole picture, pixels
 std::vector<LayerAttribute> LayerAttributesOf(const Camera& camera, unsigned int width);
 
-}  // namespace pov
+} // namespace pov
 
 #endif

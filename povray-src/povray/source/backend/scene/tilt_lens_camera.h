@@ -94,6 +94,6 @@ struct TiltLensCamera
     static void Solve(Camera& camera);
 };
 
-}  // namespace pov
+} // namespace pov
 
 #endif

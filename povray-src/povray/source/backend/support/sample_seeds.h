@@ -54,6 +54,6 @@ class SampleSeeds
     std::size_t seeded = 0;
 };
 
-}  // namespace pov
+} // namespace pov
 
 #endif

@@ -148,7 +148,7 @@ void Count(const BoxHierarchy::Count& count, TraceThreadData* thread)
     thread->Stats()[nEnqueued] += count.entered;
 }
 
-}  // namespace
+} // namespace
 
 SceneHierarchy::SceneHierarchy(const std::vector<ObjectPtr>& all)
 {
@@ -319,4 +319,4 @@ bool MeshHierarchy::AllIntersections(Mesh& mesh, const Ray& ray, IStack& hits, T
     return HasAvx2() ? IntersectByAvx2(mesh, ray, hits, thread) : IntersectPlain(mesh, ray, hits, thread);
 }
 
-}  // namespace pov
+} // namespace pov
