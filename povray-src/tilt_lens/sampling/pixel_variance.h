@@ -63,8 +63,8 @@ void UpdateVarianceRatios(BlockEstimate& estimate, std::uint32_t samples);
 std::vector<double> RatiosOrOutliers(const BlockEstimate& estimate);
 
 /// Variance ratio of the mean of both buffers, from the ratio measured between them. If the variance falls as n^-a, a >= 1, the buffers
-/// of a prefix of n = g n_A samples differ by (g^a - 1) / (g - 1) times the variance of their mean, and a ratio that began at 1 is n^(1
-/// - a). Both equations have one solution, found by iteration.
+/// of a prefix of n = g n_A samples differ by (g^a - 1) / (g - 1) times the variance of their mean, and a ratio that began at 1 is
+/// n^(1 - a). Both equations have one solution, found by iteration.
 /// @param growth  g, all samples over those of the first buffer, above 1
 double RatioOfMean(double dualBufferRatio, double samples, double growth);
 
