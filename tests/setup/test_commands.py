@@ -243,7 +243,8 @@ class CheckCommand(CommandTest):
 
     def chosen(self, *arguments, **env):
         """CTest's options for slow tests."""
-        listed = "\n".join(f"  Test #{n}: {name}" for n, name in enumerate(self.SLOW, 100))
+        lines = [f"  Test #{n}: {name}" for n, name in enumerate(self.SLOW, 100)]
+        listed = "\n".join(["Test project /build", *lines])
         self.tool("ctest", f'[ "$1" = -N ] && {{ echo "{listed}"; exit; }}; shift 3; printf "option %s\\n" "$@"')
         process = self.command(self.copy / "check", *arguments, **env)
         self.assert_succeeds(process)
@@ -263,6 +264,7 @@ class CheckCommand(CommandTest):
             self.tool("git", f'[ "$3 $4" = "rev-parse HEAD" ] && echo {turn:07x}{"c" * 33}')
             option, left_out = self.chosen(CI="true")
             self.assertEqual(option, "-E")
+            self.assertNotIn("/build", left_out)
             ran += [name for name in self.SLOW if not re.search(left_out, name)]
             self.assertTrue(all(not re.search(left_out, name) for name in ("unit.quick", "group_slow1", "group.slow1.more")))
         self.assertEqual(sorted(ran), sorted(self.SLOW), "each in one turn of ten")
