@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Lamps far out of focus that the sampler cannot know: unannounced, or in mirrors, glass and highlights. Default settings against fixed
+"""Lamps far out of focus: in mirrors and textures, and such as the sampler cannot know, in patterns, glass and highlights. Default settings against fixed
 sampling with as many rays. Dark discs hardly change the error, so two figures are of the lamps alone: the share of light kept, and of
 dark pixels in their discs."""
 
@@ -49,6 +49,7 @@ SCENES = [
     Scene("two_mirrors", "lamps in two mirrors", (0.08, 0.16), (0.16,)),
     Scene("sky", "suns of a sky's pigment", (0.08, 0.16), (0.16,)),
     Scene("textures", "lamps by a `texture_map`", (0.04, 0.08)),
+    Scene("pigments", "lamps by colours of a pattern", (0.04, 0.08)),
     Scene("image", "windows of an `image_map`"),
     Scene("pane", "lamps behind a pane at an angle", (0.08, 0.16)),
     Scene("water", "lamps under water"),

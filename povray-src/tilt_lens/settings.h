@@ -80,9 +80,11 @@ struct Settings
 
     /// @name Emitter sampling (section 4)
     /// @{
-    /// Radiance (1 is white) that lit surfaces seldom exceed, however bright the lights. An emitter is an object that is brighter by its
-    /// own finish.
-    static constexpr double greatestLitRadiance = 1.0;
+    /// Radiance (1 is white) that lit surfaces seldom exceed, however bright the lights; and the part of the lights' sum that they seldom
+    /// exceed, the `diffuse` of a default finish. An emitter is an object that is brighter by its own finish.
+    static constexpr double greatestLitRadiance = 1.0, litShare = 0.6;
+    /// Emitters times pairs of flat mirrors above which images in two mirrors are left out: tenths of a second of computing.
+    static constexpr std::size_t greatestImagesOfPairs = 1000000;
     /// Samples in a stratum of the lens coordinate: each aligned block of four samples has one in each quarter of [0, 1).
     static constexpr std::uint32_t emitterStratum = 4;
     /// Points on a circle around the aperture from which the bounding box of an emitter's circle of confusion is computed.

@@ -14,7 +14,7 @@ from benchmarks.lab import TILT_LENS, Failed, Lab
 
 PROGRAM, TOOLS = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
 SIZE = (24, 18)
-HAVE_KNOWN = ("mirror", "two_mirrors", "sky", "textures")  # scenes whose references have lamps that are easily found
+HAVE_KNOWN = ("mirror", "two_mirrors", "sky", "pigments")  # scenes whose references have lamps that are easily found
 
 
 def errors_of(noisy, sharp, counts=(2, 4, 8)):
@@ -123,7 +123,7 @@ class FoundLamps(unittest.TestCase):
 
     def test_rows(self):
         with unittest.mock.patch.object(found_lamps, "QUICK_SIZE", (40, 30)):
-            rows = found_lamps.measure(self.lab, ["textures"])
+            rows = found_lamps.measure(self.lab, ["pigments"])
         small, large = rows
         self.assertEqual((small["radius"], large["radius"]), (0.04, 0.08))
         self.assertTrue(0.8 < large["fixed_kept"] < 1.2 and large["disc_pixels"] > 20, large)
@@ -131,7 +131,7 @@ class FoundLamps(unittest.TestCase):
         self.assertAlmostEqual(large["fixed"], large["samples"], delta=0.5)
         with unittest.mock.patch.object(found_lamps, "QUICK_SIZE", (40, 30)):
             self.lab.render = lambda *_: self.fail("rendered again")
-            self.assertEqual(found_lamps.measure(self.lab, ["textures"]), rows)
+            self.assertEqual(found_lamps.measure(self.lab, ["pigments"]), rows)
 
     def test_section(self):
         row = {

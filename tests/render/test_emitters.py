@@ -2,11 +2,12 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Small lamps far brighter than white reach the requested variance, sharp or blurred."""
 
+import re
+
 from tests.render import rendering, scenes
 
 GLOW = "pigment { rgb <1, 0.8, 0.5> } finish { ambient 0 diffuse 0 emission 30 }"
-# texture maps hide lamps from the list of emitters
-UNKNOWN = f"texture {{ gradient x texture_map {{ [0 {GLOW}] [1 {GLOW}] }} }}"
+UNKNOWN = scenes.unknown_glow(30, 24, 15)
 SIZE = {"width": 40, "height": 30}
 
 
@@ -69,6 +70,51 @@ class Emitters(rendering.RenderTest):
         self.assert_same(rendering.render(scene(scenes.SAMPLES), "+WT3", "+BS13", **SIZE), whole, "threads")
         part = rendering.render(scene(scenes.SAMPLES), "+SR9", "+ER20", **SIZE)
         self.assert_same(part.crop(0, 8, 40, 20), whole.crop(0, 8, 40, 20), "rows")
+
+
+MIRRORS = {
+    "box": "box { <-9, -9, 4>, <9, 9, 4.1> pigment { rgb 0.1 } finish { reflection 0.8 } }",
+    "turned box": "box { <-9, -9, 0>, <9, 9, 0.1> pigment { rgb 0 } finish { reflection 0.8 } rotate <2, 6, 7> translate 5*z }",
+    "plane": "plane { -z, -4 pigment { rgb 0.1 } finish { reflection 0.8 } rotate 5*x }",
+    "layer of a map": "plane { -z, -4 texture { gradient x texture_map { [0 pigment { rgb 0 } finish { reflection 0.8 }]"
+    " [1 pigment { rgb 0 } finish { reflection 0.7 }] } } }",
+    "room": "box { <-9, -9, -9>, <9, 9, 6> pigment { rgb 0 } finish { ambient 0 diffuse 0 reflection 0.3 } hollow }",
+    "periscope": "".join(
+        f"box {{ -3, <3, 3, -2.98> pigment {{ rgb 0 }} finish {{ reflection 0.8 }} translate 2.99*z rotate 45*y translate <{x}, 1, 3> }} "
+        for x in (0, -8)
+    ),
+}
+PLACES = {"periscope": "<-8, 0, 9>"}  # of lamps
+
+
+def mirrored(mirror, glow=GLOW, flags=""):
+    place = PLACES.get(mirror, "-7*z")
+    lamps = "".join(f"sphere {{ {place} + <{x}, {y}, 0>, 0.02 {glow} {flags} }}\n" for x in (-1, 0.3, 1.5) for y in (0.4, 1.7))
+    return lambda samples: scenes.camera("scene_unit 100 denoise off", 0.4, samples) + MIRRORS[mirror] + lamps + "light_source { 50*y, rgb 0.01 }"
+
+
+class Mirrors(rendering.RenderTest):
+    def emitters(self, scene):
+        said = rendering.render_and_listen(scene("blur_samples 8, 16 variance 1/2000 "), **SIZE)[1]
+        found = re.search(r"emitters in view: (\d+)", said)
+        return int(found.group(1)) if found else None
+
+    def test_lamps_in_flat_mirrors_are_known(self):
+        """At as many rays, unknown lamps have more error."""
+        samples, small = "blur_samples 64, 64 variance 1/1000 ", {"width": 24, "height": 18, "extension": "exr"}
+        for mirror in MIRRORS:
+            with self.subTest(mirror):
+                exact = rendering.render(mirrored(mirror)("blur_samples 512, 512 variance 0 "), **small)
+                known, unknown = (rendering.render(mirrored(mirror, glow)(samples), **small) for glow in (GLOW, UNKNOWN))
+                errors = [sum((a - b) ** 2 for a, b in zip(picture.values, exact.values)) for picture in (known, unknown)]
+                self.assertGreater(errors[1], 4.0 * errors[0])
+
+    def test_only_what_is_reflected_is_sought_in_mirrors(self):
+        self.assertEqual(self.emitters(mirrored("box")), 6)
+        self.assertEqual(self.emitters(mirrored("box", flags="no_image")), 6)
+        self.assertIsNone(self.emitters(mirrored("box", flags="no_reflection")))
+        bumpy = mirrored("box")
+        self.assertIsNone(self.emitters(lambda samples: bumpy(samples).replace("finish { reflection", "normal { bumps } finish { reflection")))
 
 
 if __name__ == "__main__":

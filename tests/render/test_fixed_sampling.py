@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """In random scenes, the default settings have no more error than fixed sampling with as many rays in each pixel. Lamps of random radiance,
-size and blur are told by a finish or a texture_map or shown by a mirror.
+size and blur are known to the program, or hidden in a pattern's colours, or shown by a mirror.
 
 fixed_sampling.py --povray PROGRAM --compare TOOL [--scenes COUNT] [--seeds COUNT] [--scene NUMBER | --show NUMBER]
 
@@ -20,7 +20,7 @@ import re
 import statistics
 import sys
 
-from tests.render import rendering
+from tests.render import rendering, scenes
 from tests.stress.pictures import students_quantile
 
 WIDTH, HEIGHT = 64, 48
@@ -38,11 +38,10 @@ def lamp(r, aperture, mirrored):
     pixels = math.exp(r.uniform(math.log(0.25), math.log(2)))  # that a sharp one would have
     emission = math.exp(r.uniform(math.log(0.05), math.log(0.8))) * max(1.0, (blur / pixels) ** 2)
     x, y, radius = 3.6 * far * r.uniform(-1, 1), 2.7 * far * r.uniform(-1, 1), pixels / 2 * 7.28 / WIDTH * far
-    look = (
-        f"pigment {{ rgb <1, {r.uniform(0.3, 1):.3f}, {r.uniform(0.3, 1):.3f}> }} finish {{ emission {emission:.5g} diffuse 0 ambient 0 }}"
-    )
+    green, blue = r.uniform(0.3, 1), r.uniform(0.3, 1)
+    look = f"pigment {{ rgb <1, {green:.3f}, {blue:.3f}> }} finish {{ emission {emission:.5g} diffuse 0 ambient 0 }}"
     if not mirrored and r.random() < 0.7:
-        look = f"texture {{ gradient x texture_map {{ [0 {look}] [1 {look}] }} }}"
+        look = scenes.unknown_glow(emission, green * emission, blue * emission)
     return f"sphere {{ <{x:.4f}, {y:.4f}, {16 - z if mirrored else z:.4f}>, {radius:.6f} {look} }}\n"
 
 

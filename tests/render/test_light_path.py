@@ -14,8 +14,7 @@ PANE = "box { <-30, -30, 8>, <30, 30, 8.001> pigment { rgbt 1 } }\n"
 BALL = "sphere { <0, 0, 18>, 10 pigment { rgbt 1 } }\n"
 
 
-GLOW = "pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 1 }"
-LAMP = f"texture {{ gradient y texture_map {{ [0 {GLOW}] [1 {GLOW}] }} }}"  # in a texture map, so that it is not known as an emitter
+LAMP = "pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 1 }"
 
 
 def lamps(z):

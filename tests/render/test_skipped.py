@@ -94,13 +94,21 @@ class Skipped(rendering.RenderTest):
         self.assertIsNone(numbers("Emitter samples", said_of(large)))
 
     def test_emitters_are_brighter_than_lit_objects(self):
-        """A lamp below white is an emitter in moonlight only."""
+        """A lamp below white is an emitter in moonlight, and in the dark where the background is darker."""
         lamp = LAMP.replace("emission 50", "emission 0.9").replace("0.01 pigment", "0.04 pigment")
         moon = "light_source { <4, 6, -4>, rgb 0.02 }\n"
         self.assertEqual(numbers("Emitter samples", said_of(lamp + moon))[1], 1)
-        self.assertIsNone(numbers("Emitter samples", said_of(lamp + moon.replace("0.02", "1"))))
-        self.assertIsNone(numbers("Emitter samples", said_of(lamp + moon + moon.replace("0.02", "0.88"))))
-        self.assertIsNone(numbers("Emitter samples", said_of(lamp)))
+        self.assertIsNone(numbers("Emitter samples", said_of(lamp + moon.replace("0.02", "1.5"))))
+        self.assertIsNone(numbers("Emitter samples", said_of(lamp + moon + moon.replace("0.02", "1.48"))))
+        self.assertEqual(numbers("Emitter samples", said_of(lamp + moon + moon.replace("0.02", "0.5")))[1], 1)
+        self.assertEqual(numbers("Emitter samples", said_of(lamp))[1], 1)
+        for brighter in (
+            "background { rgb 0.9 }\n",
+            "sky_sphere { pigment { rgb 0 } }\n",
+            "fog { distance 1000 color rgb 0 }\n",
+            "plane { -z, -50 pigment { rgb 0.9 } finish { emission 1 } }\n",
+        ):
+            self.assertIsNone(numbers("Emitter samples", said_of(lamp + brighter)), brighter)
         self.assertIsNone(numbers("Emitter samples", said_of("global_settings { radiosity { count 2 } }\n" + lamp + moon)))
 
     def test_objects_away_from_the_lens_are_not_tested(self):

@@ -13,4 +13,4 @@ global_settings { assumed_gamma 1 }
 light_source { <20, 30, -30>, rgb 1 }
 sphere { <-1.5, -1, 0>, 0.8 pigment { rgb <0.2, 0.4, 0.6> } }
 plane { -z, -30 pigment { rgb 0.08 } }
-Array(12*z, Unannounced)
+Array(12*z, Mapped)

@@ -59,7 +59,7 @@ class Block
     }
 
     /// @param width, height  of the whole picture, pixels
-    Block(const Area& area, std::uint32_t width, std::uint32_t height) : area(area), width(width), height(height), sent(area, width, height)
+    Block(const Area& area, std::uint32_t width, std::uint32_t height) : area(area), sent(area, width, height)
     {
     }
 
@@ -75,7 +75,6 @@ class Block
     const PixelResult& ResultOf(std::uint32_t x, std::uint32_t y) const { return results[area.IndexOf(x, y)]; }
 
   private:
-    const std::uint32_t width, height;
     std::atomic<int> phase{0};  ///< twice the steps taken, plus 1 during a step
 
     /// @name Left by the first step

@@ -9,10 +9,11 @@
 #include "backend/colour/colour.h"
 #include "backend/lighting/point.h"
 #include "backend/scene/camera.h"
+#include "backend/scene/plain_textures.h"
 #include "backend/scene/scene.h"
+#include "backend/scene/tilt_lens_mirrors.h"
 #include "backend/shape/csg.h"
 #include "backend/shape/spheres.h"
-#include "backend/texture/texture.h"
 #include "tilt_lens/settings.h"
 
 #include "base/povdebug.h"
@@ -28,19 +29,15 @@ namespace
 double LightOf(const TEXTURE* texture, const RGBColour& ambientLight)
 {
     double brightest = 0.0;
-    for (; texture != NULL; texture = reinterpret_cast<const TEXTURE*>(texture->Next))
+    ForEachPlainTexture(texture, [&](const TEXTURE& plain)
     {
-        if (texture->Type != PLAIN_PATTERN || texture->Finish == NULL || texture->Pigment == NULL)
-            continue;
-        const PIGMENT& pigment = *texture->Pigment;
         for (int c = pRED; c <= pBLUE; c++)
         {
             // a pattern's colours are seldom above white
-            const double colour = pigment.Type == PLAIN_PATTERN ? pigment.colour[c] : 1.0;
-            const double glow = texture->Finish->Emission[c] + texture->Finish->Ambient[c] * ambientLight[c];
-            brightest = std::max(brightest, colour * glow);
+            const double colour = plain.Pigment->Type == PLAIN_PATTERN ? plain.Pigment->colour[c] : 1.0;
+            brightest = std::max(brightest, colour * (plain.Finish->Emission[c] + plain.Finish->Ambient[c] * ambientLight[c]));
         }
-    }
+    });
     return brightest;
 }
 
@@ -58,44 +55,92 @@ tilt_lens::Emitter EmitterOf(ObjectPtr object, const Camera& camera, double ligh
     return {low + half - location, Length(half), light, around};
 }
 
-/// Radiance above which an object outshines lit surfaces, which are seldom brighter than the sum of the light sources. At most white;
-/// white if radiosity or other objects light the scene.
+bool IsInfinite(ObjectPtr object)
+{
+    return object->BBox.Lengths[X] > CRITICAL_LENGTH;
+}
+
+double BrightestOf(const RGBColour& colour)
+{
+    return std::max({0.0, double(colour[pRED]), double(colour[pGREEN]), double(colour[pBLUE])});
+}
+
+/// Greatest radiance of what no light source lights: background and infinite objects. White if there is a sky or fog.
+double RadianceOfBackground(const SceneData& scene)
+{
+    double brightest = BrightestOf(RGBColour(scene.backgroundColour));
+    for (ObjectPtr object : scene.objects)
+        if (IsInfinite(object))
+            brightest = std::max(brightest, LightOf(object->Texture, scene.ambientLight));
+    const bool sky = scene.skysphere != NULL || scene.fog != NULL;
+    return sky ? std::max(brightest, tilt_lens::settings.greatestLitRadiance) : brightest;
+}
+
+/// Radiance above which an object outshines what may be around it: lit surfaces, or the background where nothing is lit. At most white;
+/// white if radiosity, in which all objects light the scene.
 double LeastRadiance(const SceneData& scene)
 {
     double lights = 0.0;
     for (const auto* list : {&scene.lightSources, &scene.lightGroupLightSources})
         for (const LightSource* light : *list)
-            lights += std::max({0.0, double(light->colour[pRED]), double(light->colour[pGREEN]), double(light->colour[pBLUE])});
-    const bool known = lights > 0.0 && !scene.radiositySettings.radiosityEnabled;
-    return known ? std::min(lights, tilt_lens::settings.greatestLitRadiance) : tilt_lens::settings.greatestLitRadiance;
+            lights += BrightestOf(light->colour);
+    if (scene.radiositySettings.radiosityEnabled)
+        return tilt_lens::settings.greatestLitRadiance;
+    const double around = lights > 0.0 ? tilt_lens::settings.litShare * lights : RadianceOfBackground(scene);
+    return std::min(around, tilt_lens::settings.greatestLitRadiance);
 }
 
-void Collect(ObjectPtr object, const SceneData& scene, const Camera& camera, double leastRadiance,
-             std::vector<tilt_lens::Emitter>& emitters)
+class Collector
 {
-    const CompoundObject* compound = dynamic_cast<const CompoundObject*>(object);
-    if (compound != NULL && dynamic_cast<const CSGIntersection*>(object) == NULL)
+  public:
+    Collector(const SceneData& scene, const Camera& camera) : scene(scene), camera(camera), leastRadiance(LeastRadiance(scene)) {}
+
+    void Add(ObjectPtr object)
     {
-        for (ObjectPtr part : compound->children)
-            Collect(part, scene, camera, leastRadiance, emitters);
-        return;
+        const CompoundObject* compound = dynamic_cast<const CompoundObject*>(object);
+        if (compound != NULL && dynamic_cast<const CSGIntersection*>(object) == NULL)
+        {
+            for (ObjectPtr part : compound->children)
+                Add(part);
+            return;
+        }
+        AddFlatMirrors(object, FromPov(camera.Location), mirrors);
+        if (IsInfinite(object))
+            return;  // samples cannot miss it
+        const double light = LightOf(object->Texture, scene.ambientLight);
+        if (!(light > leastRadiance))
+            return;
+        const tilt_lens::Emitter emitter = EmitterOf(object, camera, light, leastRadiance);
+        if (!Test_Flag(object, NO_IMAGE_FLAG))
+            seen.push_back(emitter);
+        if (!Test_Flag(object, NO_REFLECTION_FLAG))
+            reflected.push_back(emitter);
     }
-    if (object->BBox.Lengths[X] > CRITICAL_LENGTH)
-        return;  // infinite: samples cannot miss it
-    const double light = LightOf(object->Texture, scene.ambientLight);
-    if (light > leastRadiance)
-        emitters.push_back(EmitterOf(object, camera, light, leastRadiance));
-}
+
+    std::vector<tilt_lens::Emitter> Emitters() const
+    {
+        std::vector<tilt_lens::Emitter> all = seen;
+        for (const tilt_lens::Emitter& image : tilt_lens::MirrorImages(reflected, mirrors, camera.TiltLens.lens->diameter))
+            all.push_back(image);
+        return all;
+    }
+
+  private:
+    const SceneData& scene;
+    const Camera& camera;
+    double leastRadiance;
+    std::vector<tilt_lens::Emitter> seen, reflected;
+    std::vector<tilt_lens::FlatMirror> mirrors;
+};
 
 } // namespace
 
 std::vector<tilt_lens::Emitter> EmittersOf(const SceneData& scene, const Camera& camera)
 {
-    std::vector<tilt_lens::Emitter> emitters;
-    const double leastRadiance = LeastRadiance(scene);
+    Collector collector(scene, camera);
     for (ObjectPtr object : scene.objects)
-        Collect(object, scene, camera, leastRadiance, emitters);
-    return emitters;
+        collector.Add(object);
+    return collector.Emitters();
 }
 
 } // namespace pov

@@ -18,9 +18,9 @@ namespace pov
 class Camera;
 class SceneData;
 
-/// Finite objects whose own finish (`emission` and `ambient`, with the pigment) outshines lit surfaces, relative to the camera's
-/// location. Parts of unions count separately, other CSG as a whole; plain textures by their brightest layer, texture maps not. Errors of
-/// brightness only change the number of samples.
+/// Finite objects that outshine what may be around them by their own finish (`emission` and `ambient`, with the pigment), and their images in
+/// flat mirrors, relative to the camera's location. Parts of unions count separately, other CSG as a whole; textures by their brightest
+/// layer or entry. Errors of brightness only change the number of samples.
 std::vector<tilt_lens::Emitter> EmittersOf(const SceneData& scene, const Camera& camera);
 
 } // namespace pov

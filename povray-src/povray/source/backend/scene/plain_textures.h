@@ -1,0 +1,31 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+#ifndef POVRAY_BACKEND_PLAIN_TEXTURES_H
+#define POVRAY_BACKEND_PLAIN_TEXTURES_H
+
+#include "backend/frame.h"
+#include "backend/texture/texture.h"
+
+namespace pov
+{
+
+/// Calls `visit(texture)` with each texture that has a pigment and a finish of its own: layers, and entries of maps and of lists.
+template <typename Visit>
+void ForEachPlainTexture(const TEXTURE* texture, const Visit& visit)
+{
+    for (; texture != NULL; texture = reinterpret_cast<const TEXTURE*>(texture->Next))
+    {
+        if (texture->Type == PLAIN_PATTERN && texture->Finish != NULL && texture->Pigment != NULL)
+            visit(*texture);
+        const BLEND_MAP* map = texture->Type == PLAIN_PATTERN ? NULL : texture->Blend_Map;
+        for (int i = 0; map != NULL && map->Type == TEXTURE_TYPE && i < map->Number_Of_Entries; i++)
+            ForEachPlainTexture(map->Blend_Map_Entries[i].Vals.Texture, visit);
+        for (const TEXTURE* material = texture->Materials; material != NULL; material = material->Next_Material)
+            ForEachPlainTexture(material, visit);
+    }
+}
+
+} // namespace pov
+
+#endif
