@@ -1,8 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Lamps far out of focus: in mirrors and textures, and such as the sampler cannot know, in patterns, glass and highlights. Default settings against fixed
-sampling with as many rays. Dark discs hardly change the error, so two figures are of the lamps alone: the share of light kept, and of
-dark pixels in their discs."""
+"""Lamps far out of focus: in mirrors and textures, and such as the sampler cannot know, in patterns, glass and highlights. Default
+settings against fixed sampling with as many rays. Dark discs hardly change the error, so two figures are of the lamps alone: the share
+of light kept, and of dark pixels in their discs."""
 
 import dataclasses
 import math

@@ -90,7 +90,12 @@ PLACES = {"periscope": "<-8, 0, 9>"}  # of lamps
 def mirrored(mirror, glow=GLOW, flags=""):
     place = PLACES.get(mirror, "-7*z")
     lamps = "".join(f"sphere {{ {place} + <{x}, {y}, 0>, 0.02 {glow} {flags} }}\n" for x in (-1, 0.3, 1.5) for y in (0.4, 1.7))
-    return lambda samples: scenes.camera("scene_unit 100 denoise off", 0.4, samples) + MIRRORS[mirror] + lamps + "light_source { 50*y, rgb 0.01 }"
+    return (
+        lambda samples: scenes.camera("scene_unit 100 denoise off", 0.4, samples)
+        + MIRRORS[mirror]
+        + lamps
+        + "light_source { 50*y, rgb 0.01 }"
+    )
 
 
 class Mirrors(rendering.RenderTest):
@@ -114,7 +119,9 @@ class Mirrors(rendering.RenderTest):
         self.assertEqual(self.emitters(mirrored("box", flags="no_image")), 6)
         self.assertIsNone(self.emitters(mirrored("box", flags="no_reflection")))
         bumpy = mirrored("box")
-        self.assertIsNone(self.emitters(lambda samples: bumpy(samples).replace("finish { reflection", "normal { bumps } finish { reflection")))
+        self.assertIsNone(
+            self.emitters(lambda samples: bumpy(samples).replace("finish { reflection", "normal { bumps } finish { reflection"))
+        )
 
 
 if __name__ == "__main__":

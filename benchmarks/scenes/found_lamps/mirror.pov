@@ -13,17 +13,5 @@ global_settings { assumed_gamma 1 }
 
 light_source { <20, 30, -30>, rgb 1 }
 sphere { <-1.5, -1, 0>, 0.8 pigment { rgb <0.2, 0.4, 0.6> } }
-#ifdef (Known)
-  // the mirror's world, seen through a pane that is as grey as the mirror
-  plane { z, 8 pigment { rgbt <1, 1, 1, 0.9> } }
-  light_group
-  {
-    light_source { <20, 30, 46>, rgb 1 }
-    sphere { <-1.5, -1, 16>, 0.8 pigment { rgb <0.2, 0.4, 0.6> } }
-    global_lights off
-  }
-  Array(30*z, Announced)
-#else
-  plane { z, 8 pigment { rgb 0.1 } finish { reflection 0.9 } }
-  Array(-14*z, Announced)
-#end
+plane { z, 8 pigment { rgb 0.1 } finish { reflection 0.9 } }
+Array(-14*z, Announced)

@@ -9,21 +9,13 @@ global_settings { assumed_gamma 1 }
 #declare Sharp = 0;
 #declare Aperture = 1.5;
 #declare Brightness = 2;
-#ifdef (Known) #declare Brightness = 2*0.9*0.9; #end
 #include "found_lamps/camera.inc"
 
 light_source { <20, 30, -30>, rgb 1 }
 sphere { <-1.5, -1, 0>, 0.8 pigment { rgb <0.2, 0.4, 0.6> } no_reflection }
-#macro Lights(Place)
-  #if (Lamps) union { Array(0, Announced) scale 4 translate Place } #end
+#macro Mirror(Left, Right)
+  box { <Left, -40, 0>, <Right, 40, 0.0001> pigment { rgb 0 } finish { reflection 0.9 diffuse 0 ambient 0 } rotate 45*y translate 12*z }
 #end
-#ifdef (Known)
-  Lights(110*z)
-#else
-  #macro Mirror(Left, Right)
-    box { <Left, -40, 0>, <Right, 40, 0.0001> pigment { rgb 0 } finish { reflection 0.9 diffuse 0 ambient 0 } rotate 45*y translate 12*z }
-  #end
-  Mirror(-20, 9)
-  object { Mirror(-60, 32) translate -50*x }
-  Lights(<-50, 0, 60>)
-#end
+Mirror(-20, 9)
+object { Mirror(-60, 32) translate -50*x }
+#if (Lamps) union { Array(0, Announced) scale 4 translate <-50, 0, 60> } #end

@@ -59,9 +59,7 @@ class Block
     }
 
     /// @param width, height  of the whole picture, pixels
-    Block(const Area& area, std::uint32_t width, std::uint32_t height) : area(area), sent(area, width, height)
-    {
-    }
+    Block(const Area& area, std::uint32_t width, std::uint32_t height) : area(area), sent(area, width, height) {}
 
     const Area area;
 

@@ -17,7 +17,9 @@ namespace
 class MirrorPlane
 {
   public:
-    explicit MirrorPlane(const FlatMirror& mirror) : mirror(mirror), across(Cross(mirror.sides[0], mirror.sides[1])), area(Length(across)) {}
+    explicit MirrorPlane(const FlatMirror& mirror) : mirror(mirror), across(Cross(mirror.sides[0], mirror.sides[1])), area(Length(across))
+    {
+    }
 
     bool IsFlat() const { return area > 0.0 && std::isfinite(area); }
 

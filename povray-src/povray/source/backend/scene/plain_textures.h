@@ -11,7 +11,7 @@ namespace pov
 {
 
 /// Calls `visit(texture)` with each texture that has a pigment and a finish of its own: layers, and entries of maps and of lists.
-template <typename Visit>
+template<typename Visit>
 void ForEachPlainTexture(const TEXTURE* texture, const Visit& visit)
 {
     for (; texture != NULL; texture = reinterpret_cast<const TEXTURE*>(texture->Next))

@@ -23,6 +23,6 @@ class SceneData;
 /// layer or entry. Errors of brightness only change the number of samples.
 std::vector<tilt_lens::Emitter> EmittersOf(const SceneData& scene, const Camera& camera);
 
-} // namespace pov
+}  // namespace pov
 
 #endif
