@@ -83,10 +83,12 @@ struct Settings
     /// Radiance (1 is white) that lit surfaces seldom exceed, however bright the lights; and the part of the lights' sum that they seldom
     /// exceed, the `diffuse` of a default finish. An emitter is an object that is brighter by its own finish.
     static constexpr double greatestLitRadiance = 1.0, litShare = 0.6;
-    /// Emitters times pairs of flat mirrors above which images in two mirrors are left out: tenths of a second of computing.
-    static constexpr std::size_t greatestImagesOfPairs = 1000000;
+    /// Greatest number of images that are looked for in single flat mirrors, and in pairs of them: tenths of a second of computing.
+    static constexpr std::size_t greatestImages = 1000000;
     /// Samples in a stratum of the lens coordinate: each aligned block of four samples has one in each quarter of [0, 1).
     static constexpr std::uint32_t emitterStratum = 4;
+    /// Iterations that find the brightest point of a highlight: each gains a digit and more where sphere and light are far away.
+    static constexpr int highlightIterations = 4;
     /// Points on a circle around the aperture from which the bounding box of an emitter's circle of confusion is computed.
     static constexpr int blurBoxPoints = 16;
     /// Greatest number of bins in a row or column of the picture; least side of a bin, in pixels; greatest number of emitters in a bin,

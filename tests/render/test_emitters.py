@@ -124,5 +124,30 @@ class Mirrors(rendering.RenderTest):
         )
 
 
+class Highlights(rendering.RenderTest):
+    def test_highlights_of_spheres_are_known(self):
+        """At as many rays, ellipsoids that are spheres, whose highlights are unknown, have more error."""
+        for finish in ("specular 3 roughness 0.0005", "phong 2 phong_size 400"):
+            with self.subTest(finish):
+
+                def balls(samples, scaled):
+                    places = [(-2, 0.4, 6), (0.3, 0.9, 7), (2, 0.2, 5)]
+                    size = "1 scale <0.2, 0.2, 0.2000001>" if scaled else "0.2"
+                    spheres = "".join(
+                        f"sphere {{ 0, {size} pigment {{ rgb 0.1 }} finish {{ {finish} }} translate <{x}, {y}, {z}> }}\n"
+                        for x, y, z in places
+                    )
+                    light = "light_source { <9, 20, -9>, rgb 1 }\n"
+                    return scenes.camera("scene_unit 100 denoise off", 0.4, samples) + light + spheres
+
+                exact = rendering.render(balls("blur_samples 1024, 1024 variance 0 ", False), extension="exr", **SIZE)
+                known, unknown = (
+                    rendering.render(balls("blur_samples 16, 16 variance 1/10000 ", scaled), extension="exr", **SIZE)
+                    for scaled in (False, True)
+                )
+                errors = [sum((a - b) ** 2 for a, b in zip(picture.values, exact.values)) for picture in (known, unknown)]
+                self.assertGreater(errors[1], 1.5 * errors[0])
+
+
 if __name__ == "__main__":
     rendering.main()

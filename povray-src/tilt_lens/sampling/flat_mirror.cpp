@@ -3,6 +3,7 @@
 
 #include "tilt_lens/sampling/flat_mirror.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -22,6 +23,8 @@ class MirrorPlane
     }
 
     bool IsFlat() const { return area > 0.0 && std::isfinite(area); }
+
+    double Area() const { return mirror.unbounded ? HUGE_VAL : area; }
 
     double Reflectance() const { return mirror.reflectance; }
 
@@ -95,16 +98,26 @@ class Images
     double lensRadius;
 };
 
-}  // namespace
-
-std::vector<Emitter> MirrorImages(const std::vector<Emitter>& sources, const std::vector<FlatMirror>& mirrors, double lensDiameter)
+std::vector<MirrorPlane> LargestOf(const std::vector<FlatMirror>& mirrors, std::size_t most)
 {
     std::vector<MirrorPlane> planes;
     for (const FlatMirror& mirror : mirrors)
         if (MirrorPlane plane(mirror); plane.IsFlat())
             planes.push_back(plane);
-    const bool pairs = planes.size() * planes.size() * sources.size() <= settings.greatestImagesOfPairs;
+    std::stable_sort(planes.begin(), planes.end(), [](const MirrorPlane& a, const MirrorPlane& b) { return a.Area() > b.Area(); });
+    planes.erase(planes.begin() + std::min(planes.size(), most), planes.end());
+    return planes;
+}
+
+}  // namespace
+
+std::vector<Emitter> MirrorImages(const std::vector<Emitter>& sources, const std::vector<FlatMirror>& mirrors, double lensDiameter)
+{
     Images images(lensDiameter);
+    if (sources.empty())
+        return images.found;
+    const std::vector<MirrorPlane> planes = LargestOf(mirrors, settings.greatestImages / sources.size());
+    const bool pairs = planes.size() * planes.size() <= settings.greatestImages / sources.size();
     for (const Emitter& source : sources)
         for (const MirrorPlane& far : planes)
         {

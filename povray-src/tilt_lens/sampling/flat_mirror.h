@@ -24,7 +24,8 @@ struct FlatMirror
     double reflectance;  ///< of the brightest channel
 };
 
-/// Images in each mirror, and in each ordered pair of mirrors unless they are too many (settings.greatestImagesOfPairs). An image counts if
+/// Images in each mirror, the largest mirrors if there are many, and in each ordered pair of mirrors unless there are many
+/// (settings.greatestImages). An image counts if
 /// a lens of this diameter sees it in the mirror and if it is brighter than what may be around it; objects before it are not considered.
 std::vector<Emitter> MirrorImages(const std::vector<Emitter>& sources, const std::vector<FlatMirror>& mirrors, double lensDiameter);
 

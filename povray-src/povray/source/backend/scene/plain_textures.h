@@ -4,11 +4,18 @@
 #ifndef POVRAY_BACKEND_PLAIN_TEXTURES_H
 #define POVRAY_BACKEND_PLAIN_TEXTURES_H
 
+#include <algorithm>
+
 #include "backend/frame.h"
 #include "backend/texture/texture.h"
 
 namespace pov
 {
+
+inline double BrightestOf(const RGBColour& colour)
+{
+    return std::max({0.0, double(colour[pRED]), double(colour[pGREEN]), double(colour[pBLUE])});
+}
 
 /// Calls `visit(texture)` with each texture that has a pigment and a finish of its own: layers, and entries of maps and of lists.
 template<typename Visit>

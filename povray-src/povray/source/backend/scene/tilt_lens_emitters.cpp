@@ -9,8 +9,10 @@
 #include "backend/colour/colour.h"
 #include "backend/lighting/point.h"
 #include "backend/scene/camera.h"
+#include "backend/scene/objects.h"
 #include "backend/scene/plain_textures.h"
 #include "backend/scene/scene.h"
+#include "backend/scene/tilt_lens_highlights.h"
 #include "backend/scene/tilt_lens_mirrors.h"
 #include "backend/shape/csg.h"
 #include "backend/shape/spheres.h"
@@ -60,11 +62,6 @@ bool IsInfinite(ObjectPtr object)
     return object->BBox.Lengths[X] > CRITICAL_LENGTH;
 }
 
-double BrightestOf(const RGBColour& colour)
-{
-    return std::max({0.0, double(colour[pRED]), double(colour[pGREEN]), double(colour[pBLUE])});
-}
-
 /// Greatest radiance of what no light source lights: background and infinite objects. White if there is a sky or fog.
 double RadianceOfBackground(const SceneData& scene)
 {
@@ -107,6 +104,7 @@ class Collector
         AddFlatMirrors(object, FromPov(camera.Location), mirrors);
         if (IsInfinite(object))
             return;  // samples cannot miss it
+        AddHighlights(object, scene, camera, leastRadiance, seen);
         const double light = LightOf(object->Texture, scene.ambientLight);
         if (!(light > leastRadiance))
             return;

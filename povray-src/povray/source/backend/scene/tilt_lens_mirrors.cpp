@@ -7,6 +7,7 @@
 
 #include "backend/frame.h"
 #include "backend/math/matrices.h"
+#include "backend/scene/objects.h"
 #include "backend/scene/plain_textures.h"
 #include "backend/scene/tilt_lens_camera.h"
 #include "backend/shape/boxes.h"
