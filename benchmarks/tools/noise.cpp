@@ -106,7 +106,7 @@ class Claims
 {
   public:
     Claims(const Reference& reference, double variance, double moreThan) :
-        m_reference(reference), m_variance(variance), m_moreThan(moreThan), m_squares(2, std::vector<double>(reference.mean.Size()))
+        m_reference(reference), m_variance(variance), m_moreThan(moreThan)
     {
     }
 
@@ -120,7 +120,6 @@ class Claims
                 const double off = picture.values[i] - m_reference.mean.values[i], own = m_reference.error.values[i];
                 worst = std::max(worst, std::fabs(off));
                 sum += off * off - own * own;
-                m_squares[m_pictures % 2][i] += off * off - own * own;
             }
             m_sum += sum;
             m_beyond += worst > 2.0 * std::sqrt(m_variance);
@@ -130,7 +129,10 @@ class Claims
                 m_more += 3;
             }
             if (IsBelowWhite(pixel))
+            {
                 m_estimated += standardError.values[pixel] * standardError.values[pixel];
+                m_true += sum / 3.0;
+            }
         }
         ++m_pictures;
     }
@@ -144,7 +146,7 @@ class Claims
                 {"share_more", m_more / values},
                 {"mse_more", m_more == 0.0 ? 0.0 : std::max(0.0, m_sumOfMore / m_more)},
                 {"estimated", PerPixel(m_estimated)},
-                {"true", PerPixel(TrueSquares())}};
+                {"true", PerPixel(m_true)}};
     }
 
   private:
@@ -153,19 +155,6 @@ class Claims
     {
         const auto first = m_reference.mean.values.begin() + std::ptrdiff_t(pixel);
         return *std::max_element(first, first + 3) < 0.9;
-    }
-
-    /// For the channel that the other half of the pictures chooses: the worst of three measured errors is biased.
-    double TrueSquares() const
-    {
-        double sum = 0.0;
-        for (std::size_t pixel = 0; pixel < m_reference.mean.Size(); pixel += 3)
-            for (int half = 0; half < 2 && IsBelowWhite(pixel); ++half)
-            {
-                const auto other = m_squares[1 - half].begin() + std::ptrdiff_t(pixel);
-                sum += m_squares[half][pixel + (std::max_element(other, other + 3) - other)];
-            }
-        return sum;
     }
 
     double PerPixel(double sum) const
@@ -178,9 +167,8 @@ class Claims
 
     const Reference& m_reference;
     double m_variance, m_moreThan;
-    std::vector<std::vector<double>> m_squares;     ///< of every second picture
     int m_pictures = 0;
-    double m_sum = 0.0, m_beyond = 0.0, m_sumOfMore = 0.0, m_more = 0.0, m_estimated = 0.0;
+    double m_sum = 0.0, m_beyond = 0.0, m_sumOfMore = 0.0, m_more = 0.0, m_estimated = 0.0, m_true = 0.0;
 };
 
 struct Arguments
