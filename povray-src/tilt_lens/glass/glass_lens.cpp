@@ -99,7 +99,6 @@ void GlassLens::TakeIndices(const Prescription& prescription)
     }
 }
 
-/// The stop's radius is the height of the beam's outermost ray there.
 void GlassLens::StopDown(double fNumber)
 {
     const double height = 0.5 * cardinal.focalLength / fNumber;
@@ -161,7 +160,7 @@ double GlassLens::RearRadius() const
 GlassLens::Front GlassLens::FrontBox() const
 {
     const GlassSurface& front = surfaces.back();
-    // an aspherical surface may bend back: its sag at the rim does not bound it, the ball around the vertex does
+    // an aspherical surface may bend back, so the ball around its vertex is the bound
     const double radius = std::sqrt(front.squaredRim);
     return {radius, front.z - radius, front.z + radius};
 }
