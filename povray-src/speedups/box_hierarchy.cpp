@@ -149,7 +149,7 @@ ItemIterator SplitInHalves(const Range& range)
     return middle;
 }
 
-/// At least two items. Returns the second part's beginning; neither part is empty.
+/// Splits at least two items into two parts, neither of them empty. Returns the second part's beginning.
 ItemIterator Split(const Range& range, bool even)
 {
     if (even)

@@ -14,7 +14,7 @@ namespace tilt_lens
 namespace
 {
 
-/// For measuring: narrow enough for any glass and rim.
+/// Narrow enough for any glass and rim.
 const double kNarrowStop = 1000.0;
 
 } // namespace

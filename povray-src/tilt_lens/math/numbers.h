@@ -13,7 +13,7 @@
 namespace tilt_lens
 {
 
-/// Largest rounding error, relative to the operands, of a difference that ought to be 0.
+/// Largest relative rounding error of a difference that ought to be 0.
 inline constexpr double kRounding = 1e-14;
 
 /// Six significant digits.

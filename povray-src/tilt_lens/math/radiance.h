@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file radiance.h
-/// Value of a sample or pixel, and operations for statistics.
+/// A sample's or pixel's value.
 
 #ifndef TILT_LENS_RADIANCE_H
 #define TILT_LENS_RADIANCE_H
@@ -25,7 +25,7 @@ inline double Square(double x)
     return x * x;
 }
 
-/// result[c] = operation(result[c], value[c]), two channels at a time. Arguments may overlap, so the compiler cannot do so.
+/// result[c] = operation(result[c], value[c]), two channels at a time. Compilers cannot do so, since arguments may overlap.
 template<class Operation>
 inline void Combine(Radiance& result, const Radiance& value, const Operation& operation)
 {
@@ -69,7 +69,6 @@ inline bool IsNonZero(const Radiance& value)
     return nonZero;
 }
 
-/// The largest channel of variances or square errors, which are never negative.
 inline double MeanColour(const Radiance& value)
 {
     return (value[0] + value[1] + value[2]) / 3.0;
@@ -83,8 +82,7 @@ inline double LargestChannel(const Radiance& value)
     return largest;
 }
 
-/// Divisor that makes a variance relative: 1 up to white, the squared mean above, since eye and tone curves see bright pixels' errors
-/// relative to their brightness.
+/// Divisor that makes a variance relative: 1 up to white, the squared mean above, as eyes see errors of bright pixels.
 inline double SquaredScale(double mean)
 {
     return mean > 1.0 ? mean * mean : 1.0;

@@ -15,7 +15,7 @@
 namespace tilt_lens
 {
 
-/// Pixels at most `kRadius` columns and rows away, clipped to the rectangle. Separable: rows first, then columns.
+/// Means over pixels at most `kRadius` columns and rows away, clipped to the rectangle.
 /// @tparam Value  starts as zero; needs AddTo(Value&, const Value&) and DivideBy(Value&, double)
 /// @param values  one per pixel, row by row
 template<int kRadius, class Value>

@@ -14,7 +14,7 @@ namespace tilt_lens
 LensFootprint::LensFootprint(const Lens& lens, const Aperture& aperture, double width, double height) :
     width(width), height(height), boundingRadius(float(aperture.BoundingRadius())), isDisc(aperture.IsDisc())
 {
-    // along vectors perpendicular to the other axes, since right and up need not be perpendicular
+    // right and up need not be perpendicular
     const Vec3 rightAlone = Cross(lens.up, lens.axis), upAlone = Cross(lens.axis, lens.right);
     const auto axis = [&](const Vec3& of)
     {

@@ -3,9 +3,8 @@
 
 /// @file
 /// The files that a render depends on, for programs that detect outdated pictures, and for the key of its state file. If the environment
-/// variable `TILT_LENS_FILE_LIST` names a file, entries are appended, each name once per run: `+` (read), `-` (missing; its presence
-/// could change the picture) or `=` (a complete picture or layers' file), the name as used (relative to the current folder), and a zero
-/// byte.
+/// variable `TILT_LENS_FILE_LIST` names a file, entries are appended, each name once per run: `+` (read), `-` (missing) or `=` (a complete
+/// picture or layers' file), the name as used (relative to the current folder), and a zero byte.
 
 #ifndef POVRAY_TILT_LENS_FILE_LIST_H
 #define POVRAY_TILT_LENS_FILE_LIST_H
@@ -16,7 +15,7 @@
 namespace tilt_lens
 {
 
-/// Failure to write the list ends the render: an incomplete list is worse than none.
+/// Ends the render if the list cannot be written.
 void ListFile(const std::string& name, bool found);
 
 void ListPicture(const std::string& name);
@@ -24,7 +23,6 @@ void ListPicture(const std::string& name);
 /// Call when parsing of a scene begins.
 void StartSceneFiles();
 
-/// Each once, in order.
 std::vector<std::string> SceneFiles();
 
 } // namespace tilt_lens

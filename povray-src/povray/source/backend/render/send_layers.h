@@ -27,8 +27,7 @@ struct TiltLensEffort
 /// Sends the camera's numbers to the front end, if layers are wanted.
 void StartLayers(ViewData& view, POVMS_Object& options);
 
-/// Sends first hits through pixel centres, and effort, if layers are wanted. Call before the tile's colours are sent, so that a tile in
-/// the state file has its layers.
+/// Sends first hits through pixel centres, and effort, if layers are wanted. Call before the tile's colours are sent.
 /// @param effort  row by row; empty for a tile that was not sampled
 void SendLayers(TracePixel& trace, ViewData& view, const POVRect& rect, const std::vector<TiltLensEffort>& effort = {});
 

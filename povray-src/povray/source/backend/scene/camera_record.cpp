@@ -38,7 +38,7 @@ struct RecordedCamera
     TiltLensPlace end;
 };
 
-/// Camera statements of this run. Never destroyed: objects that they refer to may be destroyed before.
+/// Never destroyed, since objects that the cameras refer to may be destroyed before.
 std::vector<RecordedCamera>& Recorded()
 {
     static std::vector<RecordedCamera>& cameras = *new std::vector<RecordedCamera>;
@@ -62,7 +62,6 @@ std::string Vector(const Vec3& v)
     return "[" + Number(v.x) + ", " + Number(v.y) + ", " + Number(v.z) + "]";
 }
 
-/// Row by row, for row vectors.
 std::string Matrix(const MATRIX& m)
 {
     std::string text;
@@ -81,7 +80,6 @@ const char* Truth(bool value)
     return value ? "true" : "false";
 }
 
-/// JSON string, ASCII.
 std::string Text(const UCS2String& name)
 {
     std::ostringstream text;
@@ -134,7 +132,7 @@ std::string Words(const std::set<std::string>& words)
     return "[" + text + "]";
 }
 
-/// A solved camera's: a point or plane replaces the film's position, the f-number found replaces sharpWithin.
+/// A point or plane replaces the film's position, the f-number found replaces sharpWithin.
 Statement WithFocus(const Camera& camera)
 {
     Statement s = camera.TiltLens.statement;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file layer_attributes.cpp
-/// Names and meanings as in OpenEXR's list (openexr.com, "Standard Attributes"); others begin with "tiltLens:".
+/// Names and meanings are those of OpenEXR's list (openexr.com, "Standard Attributes"); others begin with "tiltLens:".
 
 #include "backend/scene/layer_attributes.h"
 
@@ -25,7 +25,7 @@ std::vector<double> Numbers(const Vec3& v)
     return {v.x, v.y, v.z};
 }
 
-/// The camera's axes, and its window at distance 1 along z, as in OpenEXR and RenderMan.
+/// The camera's axes, and its window at distance 1 along z, as in OpenEXR.
 struct Window
 {
     Vec3 x, y, z;

@@ -111,7 +111,7 @@ std::vector<ObjectAroundLens> ObjectsAroundLens(const Camera& camera, const tilt
         const bool plane = dynamic_cast<const Plane*>(object) != NULL;
         const int inside = plane || IsConvexSolid(*object) ? CornersInside(box, *object) : 0;
         if (plane && inside == 0)
-            continue;  // a plane's box is all of space; its outside is convex, so that it contains no point of the box
+            continue;  // all of space may bound a plane; its outside is convex, and contains no point of the box
         objects.push_back({object, inside == 8});
     }
     return objects;

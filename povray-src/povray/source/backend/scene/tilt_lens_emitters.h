@@ -18,9 +18,8 @@ namespace pov
 class Camera;
 class SceneData;
 
-/// Finite objects whose own finish (`emission` and `ambient`, with the pigment) outshines lit surfaces, relative to the camera's
-/// location. Parts of unions count separately, other CSG as a whole; plain textures by their brightest layer, texture maps not. Errors of
-/// brightness only change the number of samples.
+/// Finite objects whose own finish (`emission` and `ambient`, with the pigment) outshines lit surfaces, relative to the camera's location.
+/// Parts of unions count separately, other CSG as a whole. Errors of brightness only change the number of samples.
 std::vector<tilt_lens::Emitter> EmittersOf(const SceneData& scene, const Camera& camera);
 
 } // namespace pov
