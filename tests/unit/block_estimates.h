@@ -15,7 +15,7 @@
 namespace tilt_lens
 {
 
-/// Up to number `until`, every active pixel, one round.
+/// Samples every active pixel once, up to `until` samples.
 inline void TakeRound(BlockEstimate& estimate, std::uint32_t until, const Tracer& trace)
 {
     const Area& area = estimate.area;

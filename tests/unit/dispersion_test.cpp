@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Indices against real glasses, focal lengths of colours against closed forms.
-
 #include "tilt_lens/glass/dispersion.h"
 
 #include <cmath>
@@ -36,7 +34,7 @@ TEST(Dispersion, ReproducesTheAbbeNumber)
     EXPECT_EQ(IndexAt(1.7, 0.0, 400.0), 1.7);
 }
 
-/// Schott's catalogue: lines r, C, F', e, g, h.
+/// Indices at the lines r, C, F', e, g, h in Schott's catalogue.
 TEST(Dispersion, MatchesRealGlasses)
 {
     const double lines[] = {706.5188, 656.2725, 479.9914, 546.0740, 435.8343, 404.6561};
@@ -49,7 +47,6 @@ TEST(Dispersion, MatchesRealGlasses)
     }
 }
 
-/// Paraxial focus of infinity, in the lens's frame.
 double FocusOf(const GlassLens& lens)
 {
     GlassRay ray{{1e-3, 0.0, 200.0}, {0.0, 0.0, -1.0}};
@@ -75,7 +72,7 @@ TEST(Dispersion, SingletMatchesTheThickLensEquation)
     }
 }
 
-/// Thin lenses in contact with f1 V1 = -f2 V2: C and F meet, wavelengths between are nearer.
+/// Thin lenses in contact with f1 V1 = -f2 V2: C and F meet, wavelengths between them focus nearer.
 TEST(Dispersion, AchromatHasTheSecondarySpectrum)
 {
     const double f = 100.0, V1 = 64.17, V2 = 36.37, n1 = 1.5168, n2 = 1.62004;
@@ -97,7 +94,7 @@ TEST(Dispersion, AchromatHasTheSecondarySpectrum)
     const auto focal = [&](double wavelength) { return GlassLens(AtWavelength(prescription, wavelength)).Cardinal().focalLength; };
     EXPECT_NEAR(focal(kLineD), f, 1e-4);
     EXPECT_NEAR(focal(kLineF), focal(kLineC), 1e-6 * f);
-    // the power of each part is proportional to n - 1
+    // each part's power is proportional to n - 1
     for (const double wavelength : kWavelengths)
     {
         const double power = power1 * (IndexAt(n1, V1, wavelength) - 1.0) / (n1 - 1.0) +
@@ -167,7 +164,7 @@ TEST(Dispersion, RaysOfAColourFocusWhereItsLensDoes)
             zz += place * place;
             zx += slope * place;
         }
-        apart[hue > 0.0] = -zx / zz;  // inverse distance from the principal point
+        apart[hue > 0.0] = -zx / zz;
     }
     const Prescription prescription = ReadPrescription(kSinglet);
     const auto power = [&](double hue) { return 1.0 / GlassLens(AtWavelength(prescription, WavelengthOf(hue))).Cardinal().focalLength; };

@@ -15,7 +15,7 @@
 namespace tilt_lens
 {
 
-/// Newton from the double's root: 53, 107, 215 digits. Boost's root, digit by digit, is too slow for ten million cameras.
+/// Newton's method from the double's root: Boost's own root is too slow for ten million cameras.
 template<typename Real>
 Real Root(const Real& a)
 {

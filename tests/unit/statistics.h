@@ -20,7 +20,7 @@ inline double Square(double x)
     return x * x;
 }
 
-/// Pearson: the probability that such samples fit no better. 0 if a bin of probability 0 has a sample.
+/// Pearson's test: the probability that such samples fit no better. 0 if a bin of probability 0 has a sample.
 inline double ChiSquareP(const std::vector<double>& count, const std::vector<double>& probability)
 {
     double total = 0, chi = 0;
@@ -40,7 +40,7 @@ inline double ChiSquareP(const std::vector<double>& count, const std::vector<dou
         ++used;
     }
     if (used == 1)
-        return 1;  // the only bin contains every sample
+        return 1;
     const boost::math::chi_squared law(used - 1);
     return boost::math::cdf(boost::math::complement(law, chi));
 }

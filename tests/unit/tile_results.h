@@ -21,7 +21,6 @@ inline Radiance Grey(double value)
     return {value, value, value, 0.0, 0.0};
 }
 
-/// Each sample has a number in (0, 1).
 inline double Noise(const SampleId& id, std::uint32_t salt)
 {
     return (PixelHash(id.x, id.y, id.index, salt) + 0.5) * 0x1p-32;
@@ -48,7 +47,6 @@ inline void WhiteNoise(const SampleId& id, SampleResult& light)
     light = Grey(Noise(id, 1));
 }
 
-/// A sharp slanted edge, black and white.
 inline void Edge(const SampleId& id, SampleResult& light)
 {
     const SequencePoint s = SequencePointOf(id);
