@@ -25,9 +25,9 @@ HEAD = "#version 3.7; global_settings { assumed_gamma 1 }\n"
 class Picture:
     width: int
     height: int
-    names: list  # of the channels
-    values: list  # width * height * channels
-    told: str = ""  # how it was made
+    names: list
+    values: list
+    told: str = ""
 
     def pixel(self, x, y):
         n = len(self.names)
@@ -166,7 +166,7 @@ class RenderTest(unittest.TestCase):
         self.assertGreater(len(set(a.values)), 8, f"{what}: an empty picture shows nothing\n{a.told}")
 
     def assert_same_in_parts(self, scene, *options, first, last, **size):
-        """Equal for one thread and several, other tiles, and some rows (`first` to `last`, from 1). Returns the whole picture."""
+        """The picture is equal for one thread and several, other tiles, and rows `first` to `last`. Returns it."""
         whole = render(scene, "+WT1", *options, **size)
         self.assert_same(render(scene, "+WT3", "+BS13", *options, **size), whole, "threads")
         part = render(scene, f"+SR{first}", f"+ER{last}", *options, **size)

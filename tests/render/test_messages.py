@@ -27,7 +27,6 @@ AFTER = ("Tilt Lens Sampling\n", "Samples per pixel....", "Standard error....")
 
 class Report(rendering.RenderTest):
     def test_order(self):
-        """Lens before the render, sampling after it."""
         said = rendering.render_and_listen(scenes.TILTED, "-V")[1]
         at = 0
         for word in ("Render Options", "Tilt Lens\n", "Tilt Lens Sampling", "Render Statistics"):

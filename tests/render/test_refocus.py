@@ -26,7 +26,7 @@ plane { y, 0 pigment { checker rgb 0.9, rgb <0.1, 0.3, 0.7> } }
 sphere { <0.5, 0.6, -2>, 0.6 pigment { rgb <0.9, 0.4, 0.1> } }
 sphere { <-1.2, 0.6, 4>, 0.6 pigment { rgb <0.2, 0.8, 0.1> } }
 """
-NORMAL = ("0", "-0.522331", "0.852743")  # of the near plane of sharp focus, from the report
+NORMAL = ("0", "-0.522331", "0.852743")  # normal of the near plane of sharp focus in the report
 
 
 class Refocus(unittest.TestCase):

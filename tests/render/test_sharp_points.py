@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""sharp_points: the report against a formula worked out anew, and against the picture's blur."""
+"""The report of sharp_points, compared with an independent formula and the picture's blur."""
 
 import itertools
 import math
@@ -15,7 +15,7 @@ LOCATION = (0.0, 3.0, -6.0)
 DOWN = math.radians(30)
 RIGHT, UP, AXIS = (1.0, 0.0, 0.0), (0.0, math.cos(DOWN), math.sin(DOWN)), (0.0, -math.sin(DOWN), math.cos(DOWN))
 FILM, ANGLE = 36.0, 50.0
-FILM_DISTANCE = 0.5 * FILM / math.tan(math.radians(ANGLE / 2))  # mm
+FILM_DISTANCE = 0.5 * FILM / math.tan(math.radians(ANGLE / 2))
 POINTS = ((-1.8, 1.4, -1.0), (1.2, -0.2, -1.6), (0.1, 1.4, 1.0), (-1.5, -0.6, 3.4), (2.4, 1.0, 2.2))
 DIAMETER, UNIT = 0.8, 20.0  # units; mm
 VIEW = (
@@ -46,7 +46,7 @@ def determinant(rows):
 
 
 def levelled(points):
-    """(k, greatest defocus) for four points, the same for all, with signs that no other k improves."""
+    """(k, defocus) that leaves four points equally blurred, with signs that no other k improves."""
     rows = [[p[0] / p[2], p[1] / p[2], 1.0] for p in points]
     weights = [(-1) ** i * determinant(rows[:i] + rows[i + 1 :]) for i in range(4)]
     system = [[*row, math.copysign(1.0, w)] for row, w in zip(rows, weights)]
@@ -62,7 +62,6 @@ def best_plane(points):
 
 
 def in_pixels(defocus_value, diameter):
-    """The lens diameter is in scene units."""
     return defocus_value * diameter * FILM_DISTANCE * WIDTH / FILM
 
 
@@ -87,7 +86,7 @@ LAMPS = "".join(
 
 def reported(said):
     """(blur in pixels, whether it binds) of each point."""
-    text = re.sub(r"\n (?! )", " ", said)  # what the console has wrapped
+    text = re.sub(r"\n (?! )", " ", said)  # joins lines that the console has wrapped
     lines = re.findall(r"^    \d\.+<[^>]*>: ([\d.e-]+) pixels \(([\d.e-]+) mm\) (before|behind)(, binds)?", text, re.MULTILINE)
     return [(float(p) * (1 if side == "before" else -1), float(mm), bool(binds)) for p, mm, side, binds in lines]
 
@@ -117,7 +116,7 @@ class SharpPoints(rendering.RenderTest):
             self.assertAlmostEqual(measured, abs(want) * seen_from_film(k, point), delta=0.02 * abs(want))
 
     def spot(self, picture, point, most):
-        """Mean diameter, pixels, of an even ellipse of light, from its spread in a part of the picture 2 `most` wide."""
+        """Mean diameter, pixels, of an even ellipse of light in a part of the picture 2 `most` wide."""
         scale = FILM_DISTANCE / point[2] * WIDTH / FILM
         column, row = WIDTH / 2 + scale * point[0], HEIGHT / 2 - scale * point[1]
         lights = []
@@ -127,7 +126,7 @@ class SharpPoints(rendering.RenderTest):
         total = sum(light for light, _, _ in lights)
         middle = [sum(light[0] * light[i] for light in lights) / total for i in (1, 2)]
         spread = sum(light * ((x - middle[0]) ** 2 + (y - middle[1]) ** 2) for light, x, y in lights) / total
-        return math.sqrt(8 * (spread - 1 / 6))  # 1/6: of a pixel's own square
+        return math.sqrt(8 * (spread - 1 / 6))  # 1/6 for the pixel's own square
 
     def test_widest_aperture_and_the_lens_without_tilt(self):
         result = self.rendered("sharp_within 5")

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Against POV-Ray's own camera: pinholes, shifts, size of blur."""
+"""Pinholes, shifts and the size of blur, compared with POV-Ray's own camera."""
 
 import math
 
@@ -90,7 +90,6 @@ class BlurSize(rendering.RenderTest):
         self.assertLess(abs(light / stock_light - 1), 0.15, told)
 
     def test_blur_scales_with_aperture(self):
-        """Shows that the test fails for another aperture."""
         half = self.CAMERA.replace("aperture 2", "aperture 1")
         self.assertLess(
             self.spread(f"camera {{ {half}tilt_lens {{}} }}\n{self.SCENE}")[0],

@@ -20,7 +20,6 @@ PATIENCE = 100  # seconds; it takes about three
 
 class Stuck(rendering.RenderTest):
     def end(self, scene, number):
-        """The signal arrives during parsing."""
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             os.mkfifo(pathlib.Path(name) / "pipe.inc")
             process = rendering.Job(scene).start(pathlib.Path(name))

@@ -21,7 +21,6 @@ UNREADABLE = {
 
 class Folders(rendering.RenderTest):
     def refused(self, scene, *options):
-        """Fails a test if a picture exists."""
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             folder = pathlib.Path(name)
             (folder / "folder").mkdir()
