@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Parses sanitizers' reports: the findings, their code, and whether they are known.
 
-A finding is ours if one of our files is in its stacks. ThreadSanitizer's suppressions match any frame and could hide a whole thread;
-here both sides' innermost functions must be known."""
+A finding is ours if one of our files is in its stacks. It is known if both sides' innermost functions are; ThreadSanitizer's own
+suppressions match any frame, and could hide a whole thread."""
 
 import collections
 import pathlib
@@ -31,7 +31,7 @@ FRAME = re.compile(r"^    #\d+ (.*?) (\S+?)(?::\d+)*(?: \([^()]*\))?$", re.MULTI
 LIBRARIES = ("<null>", "/usr/", "../../../../src/libsanitizer")  # their callers count instead
 SMALL = re.compile(
     r"pov::Vector3d::|pov_base::Generic\w*Colour<|pov::pov_(?:malloc|calloc|free)\(|pov::dot\(|\S+::~?ot_\w+_struct\("
-)  # and of these
+)
 
 
 def innermost(stack):
@@ -51,7 +51,7 @@ def known(block, names):
 
 
 def suppressed(tool):
-    """Names in a tool's file, each below its reason."""
+    """Names in a tool's file."""
     pairs, reason = [], []
     lines = (SUPPRESSIONS / f"{tool}.txt").read_text().split("\n\n", 1)[1].splitlines()
     for number, line in enumerate(lines):

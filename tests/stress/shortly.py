@@ -6,7 +6,7 @@ import os
 import re
 import subprocess
 
-LIMIT = 300  # seconds
+LIMIT = 300
 
 
 def measure(setup):
