@@ -15,7 +15,7 @@ namespace
 
 const double kPi = std::acos(-1.0);
 
-/// From a primitive polynomial (Joe and Kuo 2008).
+/// Direction numbers of a primitive polynomial (Joe and Kuo 2008).
 std::array<std::uint32_t, 32> Directions(int degree, std::uint32_t coefficients, std::array<std::uint32_t, 3> m)
 {
     std::array<std::uint32_t, 32> v{};
@@ -58,7 +58,6 @@ std::uint32_t Scrambled(std::uint32_t value, std::uint64_t seed)
     return result;
 }
 
-/// Area-preserving.
 void OnDisc(double u, double v, LensPoint& point)
 {
     const double radius = std::sqrt(u), angle = 2.0 * kPi * v;
