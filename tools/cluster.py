@@ -2,8 +2,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """A private Slurm cluster on loopback, owned by this user, in one folder.
 
-It ignores the machine's configuration: daemons see a host name of their own (libnss-wrapper), and use no control groups, which a
-container may lack. It ends only its own processes, while their numbers belong to them.
+Daemons see a host name of their own (libnss-wrapper), and use no control groups, which a container may lack.
 """
 
 import contextlib
@@ -201,7 +200,6 @@ class Cluster:
         return found
 
     def stop(self):
-        """Jobs first, so that none is left."""
         if "slurmctld" in self.processes:
             self.run("scancel", "--me")
             with contextlib.suppress(AssertionError):

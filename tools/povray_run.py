@@ -1,6 +1,5 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Running POV-Ray: command line, environment, limits, files."""
 
 import atexit
 import dataclasses
@@ -19,7 +18,7 @@ INCLUDE = ROOT / "scenes" / "include"
 NO_SETTINGS = ROOT / "tools" / "no_settings.ini"
 DISPLAYS = ("DISPLAY", "WAYLAND_DISPLAY")
 USER_SETTINGS = ("POVINI", "POVINC", *DISPLAYS)
-# Seconds until a run counts as hanging; far more than any test takes, because the machine may be busy.
+# Seconds until a run counts as hanging; far more than any test takes.
 PATIENCE = 600
 # upstream keeps parsed objects until the end
 WITHOUT_LEAKS = {"ASAN_OPTIONS": "detect_leaks=0"}
@@ -43,8 +42,10 @@ def quoted(name):
 
 
 def command(program, scene, picture, size, *options, library=(), before=()):
-    """Without window or pause; later options override. @param picture None: none is written; "": named after the scene @param library
-    further include folders @param before user's options; they may antialias, not change scene, picture or size"""
+    """Without window or pause; later options override.
+    @param picture  None: none is written; "": named after the scene
+    @param library  further include folders
+    @param before   user's options, which must not change scene, picture or size"""
     output = ["-F"] if picture is None else [f"+O{quoted(picture)}"] if picture else []
     folders = [f"+L{quoted(folder)}" for folder in library]
     return [
@@ -68,12 +69,12 @@ def user_environment(without=USER_SETTINGS, **variables):
 
 
 def environment(**variables):
-    """The environment in which POV-Ray reads no INI file at all, with these variables."""
+    """The environment in which POV-Ray reads no INI file, with these variables."""
     return user_environment(**{"POVINI": str(NO_SETTINGS), **variables})
 
 
 def held_to_permissions():
-    """They subject even root to file permissions. Root keeps its name: another user might be unable to read the program."""
+    """Subjects even root to file permissions. Root keeps its name: another user might be unable to read the program."""
     powers = "-dac_override,-dac_read_search"
     return ["setpriv", f"--bounding-set={powers}", f"--inh-caps={powers}"] if os.getuid() == 0 else []
 
@@ -159,7 +160,7 @@ def whole_messages(data, end=None):
 
 
 class Reader:
-    """Reads many pictures in one process, which starts slowly. A lock keeps question and answer together."""
+    """Reads many pictures in one process, which starts slowly. Thread-safe."""
 
     def __init__(self, compare):
         self.compare = compare

@@ -101,7 +101,7 @@ def finish(work, description):
     """Joins pictures and makes the contact sheet. Returns complaints."""
     bands = len(description["key"]["bands"])
     complaints = []
-    for name in work.names("running"):  # of killed workers: none is running any more
+    for name in work.names("running"):  # left by killed workers
         work.record("running", name).unlink(missing_ok=True)
     done = work.names("done")
     for picture in range(len(description["key"]["pictures"])):
@@ -189,7 +189,7 @@ def report(work, description, complaints, elapsed):
 
 
 def afterwards(work, description, command):
-    """The user's command; returns 1 if it fails."""
+    """Runs the user's command; returns 1 if it fails."""
     if not command:
         return 0
     names = {"BATCH_OUTPUT": description["output"], "BATCH_WORK": str(work.folder)}

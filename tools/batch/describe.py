@@ -22,8 +22,6 @@ def say(text):
 
 
 class Request:
-    """The command line with all files resolved."""
-
     def __init__(self, settings, words):
         self.settings = settings
         folder = os.getcwd()
@@ -69,7 +67,7 @@ class Request:
         self.work = os.path.join(folder, self.settings.work or output + ".batch")
 
     def key(self):
-        """The part of the key that needs no look at the scene."""
+        """The part of the key that does not depend on the scene."""
         return {
             "format": 1,
             "kind": self.kind,
@@ -145,7 +143,6 @@ def take_up(work, request, stored):
 
 
 def changed_by_units(work):
-    """Changed files that only some units read."""
     known = {}
     for name in sorted(work.names("done")):
         record = read_json(work.record("done", name)) or {"read": {}, "missing": []}
@@ -174,7 +171,6 @@ def begin(work, request, engine):
 
 
 def output_can_be_written(folder):
-    """Before hours of rendering rather than after."""
     try:
         os.makedirs(folder, exist_ok=True)
     except OSError as error:
@@ -188,7 +184,6 @@ def lock_of_output(kind, output, pictures):
 
 
 def has_jobs(folder):
-    """True if the batch has jobs in a queue, or if that is unknown."""
     try:
         return bool(slurm.active_jobs(Work(folder)))
     except BatchError:  # the controller does not answer
@@ -278,7 +273,7 @@ def forget(work, description, pictures):
 
 
 def drop_lost(work, description):
-    """Records whose files are gone: pictures moved by the user, parts lost by a disk."""
+    """Drops records whose files the user has moved or a disk has lost."""
     bands = len(description["key"]["bands"])
     for state in ("failed", "running"):
         for name in work.names(state):

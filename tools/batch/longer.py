@@ -10,7 +10,7 @@ from tools.batch.plan import read_ini
 from tools.batch.store import read_json
 from tools.focus import scene_text
 
-# by POV-Ray, from the last frame; `clock` is compared by values
+# POV-Ray computes these from the last frame; values of `clock` are compared
 LENGTHS = re.compile(r"\b(final_frame|final_clock|clock_delta)\b")
 CLOCK = re.compile(r"\bclock\b")
 FIRST = re.compile(r"\+KI(.*)|Initial_Clock\s*=(.*)", re.IGNORECASE)
@@ -25,8 +25,6 @@ def single(value):
 
 
 class Clock:
-    """The clock of each frame, as POV-Ray computes it."""
-
     def __init__(self, words, frames):
         self.first, self.last, self.frames = 0.0, 1.0, frames
         self.known = not any(CYCLIC.fullmatch(word) for word in words)
@@ -53,7 +51,7 @@ def without_clock(words):
 
 
 def code_of(path):
-    """If it is code; others match a pattern by chance."""
+    """The text if it is code, since other files match a pattern by chance."""
     try:
         with open(path, encoding="latin-1") as stream:
             return scene_text.blanked(stream.read())

@@ -43,7 +43,7 @@ def band_records(work, key, picture):
 
 
 def join(folder, bands, width, target):
-    """Pastes each band's rows, all channels, exact values."""
+    """Pastes each band's rows: all channels, exact values."""
     words = ["--no-autopremult", "--nosoftwareattrib"]
     for path, (first, last) in bands:
         words += [path, "--crop", f"{width}x{last - first + 1}+0+{first - 1}"]

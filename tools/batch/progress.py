@@ -1,6 +1,5 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""State of a batch, the progress line, and the summary."""
 
 import os
 import re
@@ -25,8 +24,6 @@ def span(seconds):
 
 
 class State:
-    """Four directory listings: of all pictures, or of those in --only."""
-
     def __init__(self, work, description):
         bands = len(description["key"]["bands"])
         pictures = description.get("only") or range(len(description["key"]["pictures"]))
@@ -160,7 +157,6 @@ def unfinished(work, description):
 
 
 def times(work, description):
-    """POV-Ray's seconds and repeated tries, from the remaining records."""
     seconds = tries = 0
     for name in State(work, description).units:
         record = read_json(work.record("done", name))

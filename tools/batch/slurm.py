@@ -21,7 +21,6 @@ exec {program} {work} {argument}
 
 
 def check():
-    """Reports missing programs before anything is started."""
     for name in ("sbatch", "squeue", "scontrol", "sinfo"):
         if shutil.which(name) is None:
             raise BatchError(
@@ -89,7 +88,7 @@ def log_name(work, name):
 
 
 def submit(work, description, tasks, settings):
-    """Array and last step; returns the job numbers."""
+    """Submits array and last step; returns the job numbers."""
     common = ["sbatch", "--parsable", "--open-mode=append", f"--chdir={work.folder}", *site_options(settings)]
     limit = f"%{settings.workers}" if settings.workers else ""
     array = command(
@@ -121,7 +120,7 @@ def submit(work, description, tasks, settings):
 
 
 def alive(jobs):
-    """Jobs that are waiting or running. A number unknown to Slurm has ended."""
+    """Jobs that are waiting or running; Slurm forgets those that have ended."""
     listed = command("squeue", "--noheader", "--me", "--format=%A %F")
     known = {number for line in listed.splitlines() for number in line.split()}
     return [job for job in jobs if job in known]
@@ -180,7 +179,6 @@ def wait_for_end(jobs, progress):
 
 
 def run(work, description, tasks, settings, progress):
-    """Waits for the last step, unless told not to."""
     jobs = submit(work, description, tasks, settings)
     with interrupted_alone(jobs):
         print(f"jobs {' '.join(jobs)} submitted ({len(tasks)} tasks, then the last step)", file=sys.stderr)

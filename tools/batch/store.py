@@ -195,7 +195,6 @@ class Work:
         return self.folder / state / f"{name}.json"
 
     def names(self, state):
-        """One directory listing, cheap on a file server."""
         try:
             entries = os.listdir(self.folder / state)
         except FileNotFoundError:
