@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file box_ray.h
-/// Intersects a ray with eight axis-aligned boxes at a time: the slab method in single precision, rounded so that no box is missed (T. Ize,
-/// "Robust BVH Ray Traversal", JCGT 2013).
+/// Intersects a ray with eight axis-aligned boxes at a time: the slab method in single precision, rounded so that no box is missed (T.
+/// Ize, "Robust BVH Ray Traversal", JCGT 2013).
 
 #ifndef SPEEDUPS_BOX_RAY_H
 #define SPEEDUPS_BOX_RAY_H

@@ -29,9 +29,7 @@ SIDE = re.compile(r"^  (?!Location)\S.* of size \d+ at 0x.*\n((?:    [#\[].*\n?)
 LOST = "failed to restore the stack"
 FRAME = re.compile(r"^    #\d+ (.*?) (\S+?)(?::\d+)*(?: \([^()]*\))?$", re.MULTILINE)
 LIBRARIES = ("<null>", "/usr/", "../../../../src/libsanitizer")  # their callers count instead
-SMALL = re.compile(
-    r"pov::Vector3d::|pov_base::Generic\w*Colour<|pov::pov_(?:malloc|calloc|free)\(|pov::dot\(|\S+::~?ot_\w+_struct\("
-)
+SMALL = re.compile(r"pov::Vector3d::|pov_base::Generic\w*Colour<|pov::pov_(?:malloc|calloc|free)\(|pov::dot\(|\S+::~?ot_\w+_struct\(")
 
 
 def innermost(stack):

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 // Optics of a case, independent of the fork: the imaging equation 1/u + 1/v = 1/f along the lens normal for a stated lens, in homogeneous
-// coordinates, which include images at infinity; Scheimpflug's rule for a stated plane. Camera frame: lens centre at the origin, x right, y
-// up, z into the scene, film at z = -s.
+// coordinates, which include images at infinity; Scheimpflug's rule for a stated plane. Camera frame: lens centre at the origin, x right,
+// y up, z into the scene, film at z = -s.
 
 #include <stdexcept>
 

@@ -204,8 +204,8 @@ TEST(Ray, IsThePathOfLightFromSceneToFilm)
 
 TEST(Blur, IsTheEllipseOfTheTurnedDisc)
 {
-    // From the image of Z on the axis, the film sees the turned disc as an ellipse. Its half axes are v r / sqrt(1 - e^2) along the line of
-    // lens and film and v r cos(theta) / (1 - e^2) across, with e = r sin(theta) (1/s - 1/Z + 1/Z_focus).
+    // From the image of Z on the axis, the film sees the turned disc as an ellipse. Its half axes are v r / sqrt(1 - e^2) along the line
+    // of lens and film and v r cos(theta) / (1 - e^2) across, with e = r sin(theta) (1/s - 1/Z + 1/Z_focus).
     ForManyCameras(2000, [](const Request&, const Lens& lens, Random& random)
     {
         const double Z = lens.focalLength * random.Power(0.7, 4.0), r = lens.diameter / 2;

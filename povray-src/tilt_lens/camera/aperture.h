@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file aperture.h
-/// The lens opening's shape: a map from the sampler's unit square to aperture coordinates. It keeps areas (Picture(): up to its weight) in
-/// proportion, so uniform and stratified samples stay so.
+/// The lens opening's shape: a map from the sampler's unit square to aperture coordinates. It keeps areas (Picture(): up to its weight)
+/// in proportion, so uniform and stratified samples stay so.
 
 #ifndef TILT_LENS_APERTURE_H
 #define TILT_LENS_APERTURE_H

@@ -12,8 +12,8 @@
 namespace tilt_lens
 {
 
-/// @throws OpticsError  the picture folds back within the frame; the frame reaches behind the lens; the vignetting rim is narrower than the
-///                      aperture
+/// @throws OpticsError  the picture folds back within the frame; the frame reaches behind the lens; the vignetting rim is narrower than
+///                      the aperture
 void ApplyCharacter(Lens& lens, const Statement& given);
 
 } // namespace tilt_lens

@@ -173,7 +173,8 @@ double BlurPerVergence(const Lens& lens, double width);
 /// @param chief  direction + x right + y up, not normalised
 double BlurDiameter(const Lens& lens, const Vec3& chief, double T, double width);
 
-/// k of the plane k.X = 1 with the given blur. Such planes meet in the hinge line. Needs an aperture, and no distortion or field curvature.
+/// k of the plane k.X = 1 with the given blur. Such planes meet in the hinge line. Needs an aperture, and no distortion or field
+/// curvature.
 Vec3 PlaneOfBlur(const Lens& lens, double pixels, double width);
 
 /// 1/T at which a chief ray meets the given blur; negative behind the lens. Needs an aperture.

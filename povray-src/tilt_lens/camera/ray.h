@@ -107,9 +107,9 @@ inline LensRay MakeColourRay(const Lens& lens, double x, double y, double a, dou
     return RayFromIdeal(lens, ideal.x, ideal.y, a, b, -hue * lens.axialColour);
 }
 
-/// The chief ray D, of any length, of the ray through the lens point l and the point P. None if there is none, or if the ray reaches P from
-/// beyond its film point's focus. Y = s D solves Y = P - l + w(Y) l, and Y equals P along the lens's axis, so the equation is quadratic in
-/// w(Y).
+/// The chief ray D, of any length, of the ray through the lens point l and the point P. None if there is none, or if the ray reaches P
+/// from beyond its film point's focus. Y = s D solves Y = P - l + w(Y) l, and Y equals P along the lens's axis, so the equation is
+/// quadratic in w(Y).
 inline std::optional<Vec3> ChiefThrough(const Lens& lens, const Vec3& P, const Vec3& l)
 {
     const double divisor = 1.0 - Dot(lens.focus, l);

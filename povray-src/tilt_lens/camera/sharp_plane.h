@@ -8,8 +8,8 @@
 /// A point P = z D, where D has a unit component along the camera's axis, has a blur proportional to |1/z - k.D|. The plane is therefore
 /// the Chebyshev solution of the equations k.D = 1/z. A *circuit* is a set of equations with linearly dependent D, any fewer of which are
 /// independent, such as four directions in general position. If sum(w D) = 0 over it, its greatest residual is at least |sum(w / z)| /
-/// sum|w|; the greatest such bound of any circuit is the solution's (E. Stiefel, "Über diskrete und lineare Tschebyscheff-Approximationen",
-/// Numerische Mathematik 1, 1959, for general position).
+/// sum|w|; the greatest such bound of any circuit is the solution's (E. Stiefel, "Über diskrete und lineare
+/// Tschebyscheff-Approximationen", Numerische Mathematik 1, 1959, for general position).
 ///
 /// Where a circuit of fewer than four points leaves a choice of planes, the greatest blur of the other points is made least, too, and so
 /// on: the strict Chebyshev solution (J. R. Rice, "Tchebycheff Approximation in a Compact Metric Space", 1962). It does not depend on the

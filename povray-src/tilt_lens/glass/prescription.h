@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file prescription.h
-/// The table of a lens's surfaces, read from a file: pbrt's `.dat`, with Abbe numbers as an extension, or JSON of the lens shader lentil or
-/// the ISET toolboxes (docs/lenses.md). As in the files, rows go from scene to film, and a radius is positive if the centre lies towards
-/// the film.
+/// The table of a lens's surfaces, read from a file: pbrt's `.dat`, with Abbe numbers as an extension, or JSON of the lens shader lentil
+/// or the ISET toolboxes (docs/lenses.md). As in the files, rows go from scene to film, and a radius is positive if the centre lies
+/// towards the film.
 
 #ifndef TILT_LENS_PRESCRIPTION_H
 #define TILT_LENS_PRESCRIPTION_H
