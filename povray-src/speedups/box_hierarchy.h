@@ -72,7 +72,7 @@ class BoxHierarchy
         return {begin[i], node.children[i]};
     }
 
-    /// Returns the nearest child that the ray met; pushes the others on the stack, the nearest on top.
+    /// Returns the nearest child that the ray met; pushes the others on the stack.
     static Waiting TakeNearest(const Node& node, const float* begin, unsigned int met, Waiting*& top, Count& count);
 
     std::vector<Node> nodes;

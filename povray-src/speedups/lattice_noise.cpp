@@ -15,7 +15,6 @@
 namespace speedups
 {
 
-/// Hashed gradients and blending weights of a lattice cell's corners.
 struct LatticeNoise::Cell
 {
     Double4 from, to;     ///< point relative to the lower corner, and to the upper one
@@ -65,7 +64,6 @@ TILT_LENS_FOR_AVX2 double LatticeNoise::At(const double* point, bool wide) const
     for (int level = 0; level < 2; level++)
     {
         const double z = (level == 0 ? cell.from : cell.to)[2];
-        // transposes components of corners
         const int* const gradients = cell.gradients[level];
         const auto numbers = [&](int i) TILT_LENS_FOR_AVX2 -> Double4
         {

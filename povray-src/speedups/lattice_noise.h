@@ -39,7 +39,6 @@ class LatticeNoise
   private:
     struct Cell;
 
-    /// Offset of a corner's gradient in `row`; four numbers per component.
     int Gradient(int hash, int z) const { return hashes[hash ^ z] & 0xFF; }
 
     const unsigned short* hashes = nullptr;

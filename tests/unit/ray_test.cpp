@@ -268,5 +268,5 @@ TEST(Blur, VergenceHasTheSignOfTheDefocusAndStaysFinite)
     });
 }
 
-} // namespace
-} // namespace tilt_lens
+}  // namespace
+}  // namespace tilt_lens

@@ -42,7 +42,7 @@ inline AperturePoint PointOnDisc(double u, double v)
 struct Aperture::Outline
 {
     int blades, edges;                  ///< polygon edges, equally many per blade
-    std::vector<AperturePoint> corner;  ///< first corner repeated at the end
+    std::vector<AperturePoint> corner;
     double density;
 
     AperturePoint Map(double u, double v) const

@@ -85,6 +85,6 @@ class Aperture
     Shape shape;
 };
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
 
 #endif

@@ -38,7 +38,6 @@ class CellDistribution
     double Density(double position) const;
 
   private:
-    /// Cumulative weight below each cell, in single precision so that a picture fits the second-level cache.
     std::array<float, cells + 1> bound;
     std::array<std::uint8_t, cells> first;
 };

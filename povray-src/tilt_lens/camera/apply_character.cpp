@@ -59,7 +59,6 @@ void RequireBefore(const Lens& lens)
     });
 }
 
-/// The spectrum's ends lie half the difference before and behind the film.
 double AxialColourOf(const Lens& lens, const Character& character)
 {
     return 0.5 * character.axialColour * lens.millimetre / (lens.filmDistance * lens.filmDistance);

@@ -24,10 +24,8 @@ inline double Cross(const AperturePoint& p, const AperturePoint& q)
 inline std::vector<AperturePoint> Arc(int blades, double curvature, int chords)
 {
     constexpr double kPi = 3.14159265358979323846;
-    // in a frame at the middle of the edge, looking outward
     const double half = std::sin(kPi / blades), middle = std::cos(kPi / blades);
     const double spread = std::asin(curvature * half);
-    // point of the arc at t in [-1, 1]
     const auto at = [&](double t) -> AperturePoint
     {
         if (spread < 1e-8)

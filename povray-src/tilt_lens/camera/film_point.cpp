@@ -16,7 +16,6 @@ namespace
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Tangent beyond which folds are ignored.
 constexpr double kFarthestTangent = 1e6;
 
 struct Split
@@ -40,7 +39,6 @@ struct Bend
 {
     double square, cube, fourth;
 
-    /// @param across  unit vector, perpendicular to the axis
     Bend(const Lens& lens, const Vec3& across) :
         square(lens.distortion2 + lens.distortionNear * Dot(lens.focus, lens.normal)),
         cube(lens.distortionNear * Dot(lens.focus, across)),
@@ -52,7 +50,7 @@ struct Bend
     double Slope(double r) const { return 1.0 + r * r * (3.0 * square + 4.0 * r * cube + 5.0 * fourth * r * r); }
 };
 
-/// Film point of a chief ray that ends in the frame's plane; `up` may lean to `right`.
+/// `up` may lean to `right`.
 FilmPoint OnFrame(const Lens& lens, const Vec3& chief)
 {
     const Vec3 offset = chief - lens.direction;
@@ -170,7 +168,6 @@ double PictureStretch(const Lens& lens, const FilmPoint& picture)
 {
     if (!lens.distorts)
         return 1.0;
-    // derivative of the ideal chief ray by the picture's point
     const Vec3 at = IdealChiefRay(lens, picture);
     const double step = 1e-5 * Length(lens.right);
     const auto moved = [&](const Vec3& by) { return IdealChiefRay(lens, IdealFilmPoint(lens, OnFrame(lens, at + by))); };

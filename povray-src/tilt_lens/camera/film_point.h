@@ -38,7 +38,6 @@ TILT_LENS_INLINED VecOf<Number> Broadcast(const Vec3& v)
 }
 
 /// Ideal lens's chief ray, not normalised: ends in the frame's plane.
-/// @param x, y  see FilmPoint
 template<class Number>
 TILT_LENS_INLINED VecOf<Number> IdealChiefRay(const Lens& lens, const Number& x, const Number& y)
 {

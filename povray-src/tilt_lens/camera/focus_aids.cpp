@@ -37,7 +37,6 @@ const Glyph kGlyphs[] = {{'0', {7, 5, 5, 5, 7}}, {'1', {2, 6, 2, 2, 7}}, {'4', {
                          {'P', {7, 5, 7, 4, 4}}, {'R', {6, 5, 6, 5, 5}}, {'S', {7, 4, 7, 1, 7}}, {'U', {5, 5, 5, 5, 7}},
                          {'X', {5, 5, 2, 5, 5}}};
 
-/// A label of the scale.
 struct Number
 {
     double blur;
@@ -95,7 +94,6 @@ FocusMapScale::FocusMapScale(int pictureWidth, int pictureHeight)
     top = pictureHeight - height - kMargin * unit;
     pixels.assign(size_t(width) * height, kBox);
 
-    // leaves room for half of the longest label at both ends
     const int from = (kMargin + 3 * kAdvance / 2) * unit, span = width - 2 * from;
     const int bar = (kMargin + kText + 1) * unit, numbers = bar + (kBar + kTick) * unit;
     for (int x = 0; x < span; x++)

@@ -40,7 +40,7 @@ constexpr double kMapLimit = 64.0;
 /// Position on focus_map's scale: sign(b) log(1 + |b|), from -1 (behind, kMapLimit or more) to 1 (before).
 double FocusMapPosition(double blur);
 
-/// Blue behind, white in focus, orange before; darker with blur. Colour-blind people can tell the hues apart.
+/// Blue behind, white in focus, orange before; darker with blur.
 Rgb FocusMapColour(double blur);
 
 /// The scale at the bottom of focus_map's picture, labelled in pixels.

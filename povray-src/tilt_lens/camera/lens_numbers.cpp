@@ -39,7 +39,7 @@ std::string NumberBelow(double value, double limit)
     return text == Number(limit) && value < limit ? "almost " + text : text;
 }
 
-/// In camera axes, with rounding errors set to 0, so that a lens parallel to the film reads 0 and infinity.
+/// In camera axes, with rounding errors set to 0.
 Vec3 InCamera(const Lens& lens, const Vec3& v)
 {
     const double rounding = kRounding * Length(v);
@@ -51,8 +51,7 @@ Vec3 InCamera(const Lens& lens, const Vec3& v)
     return {part(lens.axisRight), part(lens.axisUp), part(lens.axis)};
 }
 
-/// True if no chief ray meets the plane of sharp focus in front of the lens. The inverse distance is linear over the frame, so corners
-/// suffice.
+/// True if no chief ray meets the plane of sharp focus in front of the lens; corners suffice.
 bool IsSharpBehindOnly(const Lens& lens)
 {
     for (double x : {-0.5, 0.5})

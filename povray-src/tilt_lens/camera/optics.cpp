@@ -58,9 +58,8 @@ Axes AxesOf(const CameraFrame& camera)
     const RealVec up = Normalized(upAcross);
     RealVec axis = Cross(right, up);
     if (Dot(axis, direction) < 0)
-        axis = -axis;  // for left-handed cameras too
+        axis = -axis;
     const Axes axes{right, up, axis};
-    // dependent vectors leave a remainder by rounding
     const bool independent = Length(upAcross) > kRounding && Dot(axis, direction) > kRounding * Length(direction);
     if (!independent || !IsFinite(camera.location))
         throw OpticsError("The camera spans no picture: direction " + Text(camera.direction) + ", right " + Text(camera.right) + ", up " +
@@ -205,7 +204,6 @@ Solution SolveFocusScale(const RealVec& t, const Real& scale, const std::optiona
                           " units, can focus: film and subject are at least four focal lengths (" + Number(least) +
                           " units) "
                           "apart. Give a larger distance, a larger scene_unit, or film_distance for a picture larger than life.");
-    // chooses the solution with the lens nearer to the film
     return SolveFilm(t, f, 2 * f * scale / (scale + sqrt(scale * (scale - least))));
 }
 

@@ -19,7 +19,6 @@ constexpr int kTries = 64;
 /// Least open share in the picture's middle; less would need too long an exposure.
 constexpr double kLeastOpen = 0.01;
 
-/// Random numbers between 0 and 1.
 class UniformNumbers
 {
   public:

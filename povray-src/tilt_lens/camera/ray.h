@@ -60,8 +60,6 @@ struct LensRayOf
 using LensRay = LensRayOf<double>;
 
 /// Rays of film points of the ideal lens, one or several side by side.
-/// @param x, y      see FilmPoint
-/// @param a, b      see AperturePoint
 /// @param vergence  added to w per length of the chief ray along the lens's axis
 template<class Number>
 TILT_LENS_INLINED LensRayOf<Number> RayFromIdeal(const Lens& lens, const Number& x, const Number& y, const Number& a, const Number& b,
@@ -79,8 +77,6 @@ TILT_LENS_INLINED LensRayOf<Number> RayFromIdeal(const Lens& lens, const Number&
     return {point, {none ? chief.x : direction.x, none ? chief.y : direction.y, none ? chief.z : direction.z}, w};
 }
 
-/// @param x, y  see FilmPoint
-/// @param a, b  see AperturePoint
 inline LensRay MakeRay(const Lens& lens, double x, double y, double a, double b)
 {
     const FilmPoint ideal = lens.distorts ? IdealFilmPoint(lens, {x, y}) : FilmPoint{x, y};

@@ -156,7 +156,7 @@ Solved StrictSolution(const Rows& rows, const Real& same);
 Solved SolveBeside(const Rows& rows, const Circuit& circuit, const Real& same)
 {
     Span span;
-    for (std::size_t i = 0; i + 1 < circuit.rows.size(); i++)  // the last one follows from the others
+    for (std::size_t i = 0; i + 1 < circuit.rows.size(); i++)
         span.Add(rows[circuit.rows[i]], circuit.weights[i] > 0 ? circuit.deviation : Real(-circuit.deviation));
     Rows rest;
     Indices indices;
@@ -199,7 +199,7 @@ Solved SolveRows(const Rows& rows, const Real& same)
     }
 }
 
-/// An empty row is a circuit of its own, without effect on k.
+/// An empty row does not affect k.
 Solved StrictSolution(const Rows& rows, const Real& same)
 {
     Rows full;

@@ -44,7 +44,6 @@ std::vector<VergenceEquation> VergenceEquations(const std::vector<RealVec>& poin
 /// True if the directions span space, so that the strict solution is unique.
 bool SpanSpace(const std::vector<VergenceEquation>& equations);
 
-/// Greatest |vergence - k.direction|.
 Real GreatestResidual(const std::vector<VergenceEquation>& equations, const RealVec& k);
 
 /// The strict Chebyshev solution k; the shortest one if directions do not span space.

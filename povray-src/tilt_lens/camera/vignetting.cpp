@@ -20,7 +20,6 @@ namespace
 /// Entries per row and column of the table: linear interpolation errs by less than 1/10000.
 constexpr int kTableSide = 65;
 
-/// Lens points per row and column that measure the shares.
 constexpr int kCountSide = 128;
 
 } // namespace
@@ -77,7 +76,6 @@ void Vignetting::Tabulate(const Aperture& aperture)
         for (int column = 0; column < kTableSide; column++)
         {
             const Opening opening = OpeningFor(FilmPointOfPlace(kTableSide, row, column));
-            // change of the squared distance from the rim across one point's width
             const double ramp = kCountSide / (4.0 * std::fabs(opening.m) * opening.radius);
             double sum = 0.0;
             for (const AperturePoint& point : points)
@@ -122,7 +120,6 @@ double Vignetting::DrawPoint(const Aperture& aperture, const FilmPoint& film, do
     return opening.Left(point) >= 0.0 ? brightness / DrawDensity(film) : 0.0;
 }
 
-/// Allows for film points whose tried lens points are all covered.
 double Vignetting::DrawDensity(const FilmPoint& film) const
 {
     const double share = OpenShare(film);

@@ -27,7 +27,6 @@ struct Aimed
         return ray && lens.Trace(*ray, stop) == Passage::Passed ? ray : std::optional<GlassRay>();
     }
 
-    /// Direction to the stop's centre, by the secant method.
     std::optional<double> MiddleOfStop() const
     {
         double l = ParaxialAim(lens.Cardinal(), film).l, before = l + 1e-3;
@@ -76,7 +75,6 @@ std::optional<FieldAberrations> FieldAberrationsOf(const GlassLens& lens, double
     const double apart = atH(above->origin.x, aboveSlope, above->origin.z) - atH(below->origin.x, belowSlope, below->origin.z);
     const double tangential = -(aboveSlope - belowSlope) / apart;
     const double focused = 1.0 / points.focalLength - 1.0 / filmDistance, square = filmDistance * filmDistance;
-    // on the plane of sharp focus, which may be at infinity
     const double chiefSlope = Slope(chief->direction.x, *chief);
     const double shown = focused * atH(chief->origin.x, chiefSlope, chief->origin.z) + chiefSlope;
     return FieldAberrations{shown / (-height / filmDistance) - 1.0, (sagittal - focused) * square, (tangential - focused) * square};

@@ -15,7 +15,6 @@ namespace tilt_lens
 namespace
 {
 
-/// Finds the widest ray to 1e-12 of the first surface.
 constexpr int kHalvings = 40;
 
 double IndexBefore(const Prescription& prescription, std::size_t row)

@@ -78,7 +78,6 @@ class GlassLens
 
     const CardinalPoints& Cardinal() const { return cardinal; }
     double StopRadius() const { return stopRadius; }
-    /// Clear opening of the last surface.
     double RearRadius() const;
 
     /// Makes fNumber the focal length over the axial beam's diameter; never wider than built.
@@ -118,7 +117,6 @@ class GlassLens
     double stopRadius = 0.0, widestStop = 0.0;
 
     double WidestRay() const;
-    /// From a height at the stop to a StopPoint.
     double StopScale() const { return std::copysign(1.0 / stopRadius, cardinal.entranceRadius); }
     bool Opens(const StopPoint& stop) const { return !opening || opening(stop); }
     template<bool towardsScene>

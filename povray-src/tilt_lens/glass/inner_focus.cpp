@@ -65,7 +65,6 @@ double ObjectDistanceOf(const Prescription& prescription, double state)
 
 double StateFor(const Prescription& prescription, const std::function<double(double focalLength)>& filmVergence)
 {
-    // true if the film would have to stand nearer
     const auto tooNear = [&](double state)
     {
         const double focalLength = CardinalPointsOf(InState(prescription, state)).focalLength;

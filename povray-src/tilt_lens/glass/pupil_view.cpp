@@ -65,7 +65,7 @@ struct Seen
         return passing & lens.Trace(rays, stop, rims);
     }
 
-    /// About the paraxial pupil's radius, direction cosines.
+    /// Direction cosines.
     double Size() const
     {
         const CardinalPoints& points = lens.Cardinal();
@@ -100,7 +100,6 @@ struct Seen
         return PupilPoint{sum.l / passed, sum.m / passed};
     }
 
-    /// A passing direction, well within the pupil if possible.
     std::optional<PupilPoint> Inside(const std::optional<PupilPoint>& near) const
     {
         const PupilPoint aim = ParaxialAim(lens.Cardinal(), film);
@@ -197,7 +196,6 @@ class FourSpokes
     }
 };
 
-/// Each search starts with the length of the fourth spoke before it.
 Spokes SpokesFrom(const Seen& seen, const PupilPoint& inside)
 {
     Spokes spokes;

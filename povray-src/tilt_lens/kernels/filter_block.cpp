@@ -72,7 +72,6 @@ TILT_LENS_INLINED void MeanAround(const float* values, const FilterInput& input,
     }
 }
 
-/// Means filtered along rows.
 template<int kChannels>
 class FilteredRows
 {
@@ -172,7 +171,6 @@ class RiskWeightedMean
         const float mean = Max(Min(own, 0.0f), means[c][i] / weights[i]);
         return c < 3 ? mean : Min(Max(own, 1.0f), mean);
     }
-    /// Upper bound of the remaining fraction of variance.
     float NoiseLeftOf(int i) const { return weights[i] > 0.0f ? noiseLeft[i] / weights[i] : 1.0f; }
 
     const Part& Risky() const { return risky; }

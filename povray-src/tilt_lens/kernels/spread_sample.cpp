@@ -14,7 +14,6 @@ using Planes = SpreadPlanes;
 
 constexpr int kReach = Planes::kReach, kMostLanes = Planes::kMostLanes;
 
-/// Rows and columns within reach of a sample.
 constexpr int kRows = 2 * kReach + 1;
 constexpr int kLanes = kRows + 1;
 static_assert(kLanes % kMostLanes == 0, "vectors hold them without a rest");
@@ -35,7 +34,6 @@ constexpr LaneNumbers Numbered()
 
 constexpr LaneNumbers kOffsets = Numbered();
 
-/// End of a sample's window, pixels.
 constexpr float kWindowRadius = kReach + 1;
 
 /// 1 - (distance / kWindowRadius)^2 along rows and columns: without it, samples of a highlight would show as squares.
@@ -55,7 +53,7 @@ TILT_LENS_INLINED Floats WindowUpTo(const Floats& distance)
     return limited - limited * limited * limited * (1.0f / (3.0f * kWindowRadius * kWindowRadius));
 }
 
-/// The window's sum over a row is the difference of this at its end and begin, distances from the middle of the sample's own pixel.
+/// A row's sum of the window is the difference of this at its end and begin.
 TILT_LENS_INLINED Floats WindowSumUpTo(const Floats& distance)
 {
     constexpr float inverse = 1.0f / (kWindowRadius * kWindowRadius);
@@ -144,7 +142,7 @@ struct CirclePixels
 struct Densities
 {
     float of[kRows * kRows + kMostLanes];  ///< the padding is not used
-    float sum = 0.0f;  ///< over the pixels, times the window
+    float sum = 0.0f;
 
     void Find(const CircleOfConfusion& circle, const CirclePixels& pixels, int column, int row)
     {

@@ -153,9 +153,8 @@ PupilNode GlassCamera::Between(const FilmPoint& film) const
 }
 
 /// Draws directions until one per film point passes.
-/// @param waiting     one bit per film point that needs a ray
-/// @param[out] drawn  rays that leave the lens
-/// @return            one bit per ray
+/// @param waiting  one bit per film point that needs a ray
+/// @return         one bit per ray
 unsigned int GlassCamera::DrawRays(const GlassLens& colour, const FourGlassPoints& points, const FourPupils& pupils, unsigned int waiting,
                                    FourGlassRays& drawn, std::uint32_t (&refused)[4]) const
 {

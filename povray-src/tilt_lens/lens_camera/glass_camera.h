@@ -59,7 +59,7 @@ class GlassCamera
 
     bool HasColours() const { return colours.has_value(); }
 
-    /// Ray through the centre of the film point's view; none if blocked.
+    /// None if blocked.
     std::optional<LensRay> MiddleRay(const FilmPoint& film) const;
 
     double Brightness(const FilmPoint& film) const;

@@ -1,9 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// @file glass_film.h
-/// The film behind a lens of glass, and the table of its points' views.
-
 #ifndef TILT_LENS_GLASS_FILM_H
 #define TILT_LENS_GLASS_FILM_H
 

@@ -34,7 +34,7 @@ class LensCamera
     const Aperture& Opening() const { return aperture; }
     /// Null for a thin lens.
     const GlassCamera* Glass() const { return std::get_if<GlassCamera>(&kind); }
-    /// None for glass, which has its own rims.
+    /// Not for glass, which has its own rims.
     const Vignetting& ThinVignetting() const;
 
     /// @name Uses of its rays
@@ -51,7 +51,7 @@ class LensCamera
     /// Separates the seeds that redraw blocked samples from those that a ray draws from.
     std::uint32_t SeedSalt() const { return Glass() != nullptr ? 0x476c61 : 0x52696d; }
 
-    /// Ray through the centre of the opening that the film point sees; none if blocked.
+    /// Ray through the centre of the visible opening; none if blocked.
     std::optional<LensRay> MiddleRay(const FilmPoint& film) const;
 
     /// Blur (optics.h) of a hit on the film point's chief ray.

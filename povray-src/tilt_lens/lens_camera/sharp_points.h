@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sharp_points.h
-/// Aperture and blurs for `sharp_points`. The plane of sharp focus is the best for an ideal lens (sharp_plane.h); blurs and aperture are
-/// the real lens's.
+/// Aperture and blurs for `sharp_points`, of the real lens; the plane of sharp focus is the best for an ideal one (sharp_plane.h).
 
 #ifndef TILT_LENS_SHARP_POINTS_H
 #define TILT_LENS_SHARP_POINTS_H

@@ -35,7 +35,6 @@ double RoomBehind(const Lens& lens, const CardinalPoints& points)
     return least;
 }
 
-/// Position of the focusing groups.
 double GroupsOf(const CameraFrame& camera, const Statement& given)
 {
     // a stated film_distance leaves the groups at infinity

@@ -1,9 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// @file radiance.h
-/// A sample's or pixel's value.
-
 #ifndef TILT_LENS_RADIANCE_H
 #define TILT_LENS_RADIANCE_H
 
@@ -88,7 +85,6 @@ inline double SquaredScale(double mean)
     return mean > 1.0 ? mean * mean : 1.0;
 }
 
-/// Each channel of a variance over SquaredScale() of its mean.
 inline Radiance RelativeTo(const Radiance& mean, Radiance variance)
 {
     for (std::size_t c = 0; c < variance.size(); c++)

@@ -51,7 +51,6 @@ constexpr std::size_t kVectorWidth = sizeof(Vector) / sizeof(std::declval<Vector
 #define TILT_LENS_INLINED_FOR_AVX2 TILT_LENS_FOR_AVX2 inline
 #endif
 
-/// Examined at program start.
 inline bool HasAvx2()
 {
 #if defined(__x86_64__) || defined(__i386__)

@@ -1,9 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// @file window.h
-/// Means over the square window around each pixel.
-
 #ifndef TILT_LENS_WINDOW_H
 #define TILT_LENS_WINDOW_H
 

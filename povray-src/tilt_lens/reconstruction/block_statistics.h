@@ -18,13 +18,11 @@
 namespace tilt_lens
 {
 
-/// One value per pixel, row by row.
 using BlockPlane = std::array<float, settings.blockSide * settings.blockSide>;
 
 class BlockStatistics
 {
   public:
-    /// Five channels of the mean, ordered as in Radiance, and single numbers.
     enum Plane
     {
         kMean = 0,
@@ -60,7 +58,6 @@ class PaddedBlock
 
     using Plane = std::array<float, kRows * kColumns>;
 
-    /// Index of pixel (x, y), relative to the block's first pixel.
     TILT_LENS_INLINED static constexpr int At(int x, int y) { return (y + kBorder) * kColumns + x + kBorder; }
 
     /// @param blocks  the block and its eight neighbours, row by row. For null (outside the picture or unknown) the nearest block is

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file padded_spread.h
-/// Spread samples received by a block's pixels and its border: docs/sampling.md, section 5.
+/// Spread samples received by a block's pixels and its border, without the pixels' own: docs/sampling.md, section 5.
 
 #ifndef TILT_LENS_PADDED_SPREAD_H
 #define TILT_LENS_PADDED_SPREAD_H
@@ -17,7 +17,6 @@
 namespace tilt_lens
 {
 
-/// Spread estimates without the pixels' own samples.
 class PaddedSpread
 {
   public:

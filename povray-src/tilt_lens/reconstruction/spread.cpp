@@ -51,7 +51,6 @@ CircleOfConfusion LensFootprint::CircleOf(const FilmPoint& film, const ApertureP
     const double depth = 1.0 + vergence * (point.a * axisA.depth + point.b * axisB.depth);
     const double x = (film.x + vergence * (point.a * axisA.x + point.b * axisB.x)) / depth;
     const double y = (film.y + vergence * (point.a * axisA.y + point.b * axisB.y)) / depth;
-    // for the ray through the lens centre
     const double central = vergence * (1.0 - point.a * axisA.focus - point.b * axisB.focus) / depth;
     const double across = width * central, down = -height * central;
     return {float((x + 0.5) * width),

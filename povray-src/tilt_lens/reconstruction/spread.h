@@ -54,7 +54,7 @@ class LensFootprint
     /// In aperture coordinates.
     TILT_LENS_INLINED float BoundingRadius() const { return boundingRadius; }
     TILT_LENS_INLINED bool IsDisc() const { return isDisc; }
-    /// Relative brightness at `count` points of another aperture.
+    /// Relative brightness at `count` points.
     void FindDensities(const AperturePoints& first, const AperturePoints& step, int count, float* densities) const;
 
   private:
@@ -83,7 +83,6 @@ struct SpreadPlanes
 {
     static constexpr int kReach = settings.spreadReach;
     static constexpr int kSide = int(settings.blockSide) + 2 * kReach;
-    /// Pixels per widest vector.
     static constexpr int kMostLanes = sizeof(Float8) / sizeof(float);
 
     /// Sums of shares times weights, multiplied by red, green, blue, 1, and the squared colour summed over the channels; last, the sum of
@@ -139,6 +138,6 @@ class SpreadSums : private SpreadPlanes
     bool IsSpread() const { return spread; }
 };
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
 
 #endif

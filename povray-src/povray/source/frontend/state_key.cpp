@@ -206,7 +206,6 @@ struct Start
 
 const Start kEmpty = {Start::kNothing, ""}, kForeign = {Start::kNoState, ""};
 
-/// Reads the first message behind the header.
 Start ReadKey(IStream& stream, POV_LONG length)
 {
     const POV_LONG begin = sizeof(Backup_File_Header), least = 20;

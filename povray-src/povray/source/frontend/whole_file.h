@@ -42,7 +42,6 @@ class WholeFile
     bool finished = false;
 };
 
-/// `-`, `stdout` and `stderr`, in any case.
 bool IsStandardStream(const std::string& name);
 
 /// Closes and removes a finished picture's state file; `file` may be null.

@@ -21,7 +21,7 @@ class AreaLightSampler
 {
   public:
     /// @param itsPixel  sequence of the ray's pixel; must outlive the ray
-    /// @param itsIndex  of the sample
+    /// @param itsIndex  index of the sample
     void Begin(const tilt_lens::PixelSampler& itsPixel, unsigned int itsIndex)
     {
         pixel = &itsPixel;

@@ -13,8 +13,7 @@
 namespace pov
 {
 
-/// Follows TraceRay's recursion. A path continues with a secondary ray that brings at least half of the light, or with any if all are
-/// black.
+/// Follows TraceRay's recursion. A path continues with a secondary ray that brings at least half of the light.
 class LightPath
 {
   public:

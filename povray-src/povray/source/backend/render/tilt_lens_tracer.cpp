@@ -143,7 +143,7 @@ void TiltLensTracer::LeadGenerators()
 /// One sequence per recursion level, so that the sample determines their first numbers.
 void TiltLensTracer::SeedSubsurface(unsigned int seed)
 {
-    const size_t levels = 3, length = 32767;  // sizes as in Trace
+    const size_t levels = 3, length = 32767;
     while (trace.ssltUniformDirectionGenerator.size() < levels)
         trace.ssltUniformDirectionGenerator.push_back(GetSubRandomDirectionGenerator(0, length));
     while (trace.ssltUniformNumberGenerator.size() < levels)

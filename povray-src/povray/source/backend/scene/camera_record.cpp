@@ -158,7 +158,7 @@ Statement WithFocus(const Camera& camera)
     return s;
 }
 
-/// With a glass lens's focal length when focused.
+/// Takes a glass lens's focal length when focused.
 Statement Ideal(const Camera& camera, const Statement& s)
 {
     return IdealStatement(WithGroups(s, camera.TiltLens.lens ? camera.TiltLens.lens->groups : 0.0));
@@ -177,7 +177,6 @@ std::string Described(const Camera& camera)
            ", \"block\": " + (camera.TiltLens.given ? Block(Ideal(camera, WithFocus(camera))) : "null") + "}";
 }
 
-/// Transfer curve from pixel values to light.
 std::string Gamma(const SceneData& scene)
 {
     if (!scene.workingGammaToSRGB)

@@ -32,10 +32,9 @@ namespace
 
 const int kRaysAround = 1024;
 
-/// Each step multiplies the disagreement of frame and focus by about focal length / distance, unless the ray alternates between objects.
+/// Each step multiplies the disagreement of frame and focus by about focal length / distance.
 const int kSteps = 50;
 
-/// Infinite objects have bounding boxes of the size BOUND_HUGE.
 const double kEndless = 0.25 * BOUND_HUGE;
 
 /// Relative distance of two points that count as equal.

@@ -29,7 +29,7 @@ bool HasDepthAxis(const Camera& camera);
 /// Unit normal of the film, into the scene.
 tilt_lens::Vec3 DepthAxis(const Camera& camera);
 
-/// Empty for other cameras than perspective ones.
+/// Empty for cameras that are not perspective.
 /// @param camera  as rendered: shift and angle of view are in its direction
 /// @param width   of the whole picture, pixels
 std::vector<LayerAttribute> LayerAttributesOf(const Camera& camera, unsigned int width);

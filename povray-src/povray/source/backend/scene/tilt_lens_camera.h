@@ -62,8 +62,7 @@ struct FocusTarget
 
 struct TiltLensCamera
 {
-    bool given = false;  ///< true if the camera has a `tilt_lens` block; else only `items` and the statement's focalPoint and scale are
-                         ///< used
+    bool given = false;  ///< true if the camera has a `tilt_lens` block; else only `items`, focalPoint and scale are used
     CameraItems items;
     TiltLensPlace place; ///< the block's first word
     std::set<std::string> words;
@@ -79,7 +78,6 @@ struct TiltLensCamera
     /// False before FindFocus() (focus_target.h).
     bool IsComplete() const;
 
-    /// The statement's point for pointTargets[i].
     tilt_lens::Vec3& TargetPoint(std::size_t i);
 
     /// The item that sets the aperture by the blur of sharp_points, or NULL.

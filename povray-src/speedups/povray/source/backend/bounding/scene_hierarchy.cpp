@@ -41,7 +41,6 @@ BoxItem ItemOf(const BBOX& box, const void* what)
     return item;
 }
 
-/// A light source's looks_like object; else the object.
 ObjectPtr Visible(ObjectPtr object)
 {
     if (!(object->Type & LIGHT_SOURCE_OBJECT))
@@ -233,7 +232,6 @@ bool SceneHierarchy::Intersect(const Ray& ray, Intersection& best, const RayObje
 
 bool MeshHierarchy::MakeTree(const Mesh& mesh)
 {
-    // one at a time, for all meshes
     static std::mutex making;
     const std::lock_guard<std::mutex> lock(making);
     BBOX_TREE* tree = mesh.Data->Tree;
@@ -283,7 +281,6 @@ TILT_LENS_INLINED bool MeshHierarchy::IntersectBy(Mesh& mesh, const Ray& ray, IS
         DBL depth;
         if (!MeetsTriangle(*mesh.Data, *triangle, origin, direction, nearest, depth))
             return;
-        // as Mesh::test_hit()
         const DBL worldDepth = depth / length;
         VECTOR point;
         VEvaluateRay(point, ray.Origin, worldDepth, ray.Direction);

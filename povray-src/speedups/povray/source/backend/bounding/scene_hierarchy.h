@@ -70,7 +70,6 @@ class MeshHierarchy
 
     static std::unique_ptr<speedups::BoxHierarchy> Of(Mesh& mesh);
 
-    /// Mesh::All_Intersections() for a mesh with a hierarchy.
     static bool AllIntersections(Mesh& mesh, const Ray& ray, IStack& hits, TraceThreadData* thread);
 
   private:

@@ -26,7 +26,6 @@ class MacroFiles
     void Keep(pov_base::ITextStream* file);
     void Forget() { files.clear(); }
 
-    /// Far below the usual limit of open files.
     static constexpr std::size_t most = 32;
 
   private:
