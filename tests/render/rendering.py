@@ -1,6 +1,5 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Small renders for tests."""
 
 import argparse
 import array
@@ -107,7 +106,6 @@ class Job:
         return done.code, done.said
 
     def stop(self, folder, number, kept):
-        """Kills POV-Ray when its state file exceeds `kept` bytes."""
         end = time.monotonic() + PATIENCE
         with self.start(folder) as process:
             while process.poll() is None and time.monotonic() < end:

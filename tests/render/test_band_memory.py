@@ -12,7 +12,7 @@ from tools import povray_run
 SIZE = {"width": 6000, "height": 3000}
 BAND = ("+SR1000", "+ER1003", "+WT1")
 CHANNELS = 7  # depth, position, blur, samples, standard error
-WHOLE = CHANNELS * 4 * SIZE["width"] * SIZE["height"]
+WHOLE = CHANNELS * 4 * SIZE["width"] * SIZE["height"]  # bytes
 SCENE = scenes.camera("tilt 3", samples="blur_samples 1, 1 variance 0 ") + scenes.WORLD
 
 

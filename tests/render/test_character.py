@@ -11,7 +11,7 @@ from tests.render import rendering, scenes
 WIDTH, HEIGHT = 64, 48
 SIZE = {"width": WIDTH, "height": HEIGHT, "extension": "exr"}
 VIEW = "location 0 look_at <0, 0, 10> right 4/3*x angle 50 "
-HALF = math.tan(math.radians(25))  # tangent of half the angle of view
+HALF = math.tan(math.radians(25))
 SAMPLES = "blur_samples 32, 32 variance 0 "
 EVEN = "background { rgb 0.5 }\n"
 ALL = (
@@ -84,13 +84,13 @@ class Distortion(rendering.RenderTest):
 
     def test_near(self):
         """With the focus at D, in units of 100 mm, the coefficient is K1 + NEAR f/D."""
-        film = 18 / HALF
+        film = 18 / HALF  # mm
         for distance in (10, 1.5):
             view = VIEW.replace("look_at <0, 0, 10>", f"look_at <0, 0, {distance}>")
             at = layers_of(
                 scenes.camera("scene_unit 100 distortion -0.02, 0.01, 0.8", 0.5, SAMPLES, view) + "plane { z, 20 pigment { rgb 1 } }\n"
             )
-            k1 = -0.02 + 0.8 / (1 + 100 * distance / film)  # f/D with 1/f = 1/film + 1/D
+            k1 = -0.02 + 0.8 / (1 + 100 * distance / film)
             for x, y in ((0, 0), (63, 20), (40, 47)):
                 own = place(x, y)
                 square = own[0] ** 2 + own[1] ** 2
@@ -122,7 +122,7 @@ class FieldCurvature(rendering.RenderTest):
     def test_layers_have_the_blur(self):
         # plane of sharp focus: 10; at half a film's width 1/Z grows by sag/s^2
         at = layers_of(camera("field_curvature 0.3") + "plane { z, 10 pigment { rgb 1 } }\n")
-        s = 18 / HALF
+        s = 18 / HALF  # mm
         for x, y in ((0, 23), (63, 24), (31, 23), (31, 0)):
             square = sum(value**2 for value in place(x, y))
             vergence = -0.3 * square / s**2 * 100  # vergence of the surface minus that in focus

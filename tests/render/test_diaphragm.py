@@ -55,7 +55,7 @@ class Diaphragm(rendering.RenderTest):
     def test_blade_curvature(self):
         _, dot_x, dot_y = moments("", 0.0001)
         _, x, y = moments("")
-        disc = x + y - dot_x - dot_y  # mean square of a disc is 1/2
+        disc = x + y - dot_x - dot_y
         for blades, curvature in ((3, 0), (3, 0.5), (3, 1), (5, 0.6)):
             with self.subTest(blades=blades, curvature=curvature):
                 _, x, y = moments(f"blades {blades}, 20 blade_curvature {curvature}")

@@ -33,8 +33,8 @@ SETTINGS = argparse.Namespace(scenes=4, seeds=8, scene=None, show=None, told=Fal
 def lamp(r, aperture, mirrored):
     z = r.uniform(28, 50) if mirrored else r.choice((r.uniform(-5, -1), r.uniform(1, 25)))
     far = (z + 10) / 10
-    blur = aperture * abs(z) / (z + 10) * WIDTH / 7.28
-    pixels = math.exp(r.uniform(math.log(0.25), math.log(2)))  # if it were sharp
+    blur = aperture * abs(z) / (z + 10) * WIDTH / 7.28  # pixels
+    pixels = math.exp(r.uniform(math.log(0.25), math.log(2)))
     emission = math.exp(r.uniform(math.log(0.05), math.log(0.8))) * max(1.0, (blur / pixels) ** 2)
     x, y, radius = 3.6 * far * r.uniform(-1, 1), 2.7 * far * r.uniform(-1, 1), pixels / 2 * 7.28 / WIDTH * far
     look = (
@@ -83,13 +83,12 @@ class Reference:
         one, two = (picture(number, seed, f"blur_samples {samples}, {samples} variance 0")[0] for seed in REFERENCE_SEEDS)
         self.kept = [i for i, (a, b) in enumerate(zip(one, two)) if a + b < 2 * WHITE]
         self.truth = [(one[i] + two[i]) / 2 for i in self.kept]
-        self.noise = [((one[i] - two[i]) / 2) ** 2 for i in self.kept]  # squared standard error of the mean
+        self.noise = [((one[i] - two[i]) / 2) ** 2 for i in self.kept]
 
     def shown(self, values):
         return [min(1.0, values[i]) for i in self.kept]
 
     def error(self, values):
-        """Subtracts the reference's own error."""
         return statistics.fmean((a - b) ** 2 - noise for a, b, noise in zip(self.shown(values), self.truth, self.noise))
 
     def excess(self, values, others):

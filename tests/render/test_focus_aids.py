@@ -127,7 +127,7 @@ class Map(rendering.RenderTest):
         for distance, name in ((7.0, "before"), (16.0, "behind")):
             with self.subTest(distance=distance):
                 seen, blur = wall(distance, "focus_map", 640, 480)
-                blur *= 10  # ten times as many pixels
+                blur *= 10
                 place = math.copysign(math.log1p(abs(blur)) / math.log1p(64), blur)
                 # 2 dots around the box; the bar begins at 2 + 6
                 left, right = 4 + 16, 640 - 4 - 16
@@ -166,7 +166,7 @@ class Planes(rendering.RenderTest):
 
     def test_each_surface_at_its_depth(self):
         tints = []
-        for distance in (6.0, 9.0, 10.9, 12.0, 50.0):  # limits of one pixel: 7.62 and 14.5
+        for distance in (6.0, 9.0, 10.9, 12.0, 50.0):
             seen, blur = wall(distance, "show_planes")
             tints.append((blur, seen.pixel(30, 20)))
         black, first, second, third, fourth = (colour for _, colour in tints)

@@ -1,6 +1,5 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Lenses of glass as rendered."""
 
 import csv
 import math
@@ -167,7 +166,7 @@ class Dispersion(rendering.RenderTest):
             scene = camera(f'prescription "singlet.dat" dispersion on film_width {film}', "blur_samples 2048, 2048 variance 0 ", unit=1000)
             point = f"sphere {{ <0, 0, 10>, {radius} pigment {{ rgb 1 }} finish {{ emission 1000 diffuse 0 }} }}\n"
             picture = rendering.render(scene + point, f"+L{name}", **SIZE)
-        own = (film / WIDTH) ** 2 / 6 + (radius / 10 * 101) ** 2 / 2  # second moments of a pixel and of the point's sharp image
+        own = (film / WIDTH) ** 2 / 6 + (radius / 10 * 101) ** 2 / 2
         found = {}
         for colour in "RGB":
             light = dict(zip(((x, y) for y in range(HEIGHT) for x in range(WIDTH)), picture.channel(colour)))

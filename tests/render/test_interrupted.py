@@ -21,7 +21,7 @@ class Interrupted(rendering.RenderTest):
     def check(self, stop):
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             folder = pathlib.Path(name)
-            rendering.Job(SLOW, ("+WT1", "+BS8"), **SIZE).stop(folder, stop, 8000)  # a few finished blocks
+            rendering.Job(SLOW, ("+WT1", "+BS8"), **SIZE).stop(folder, stop, 8000)
             again = rendering.Job(SLOW, ("+WT2", "+BS8", "+C"), **SIZE)
             said = again.run(folder)
             self.assert_same(again.result(folder), self.whole, f"continued after {stop.name}")

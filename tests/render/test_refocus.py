@@ -71,7 +71,6 @@ class Refocus(unittest.TestCase):
         said = self.refocus("--at", "107", "98", "--f-stop", "1.4")
         found = re.search(r"plane \{ <(\S+), (\S+), (\S+)>, (\S+) \}, f/1.4", said)
         x, y, z, distance = map(float, found.groups())
-        # at most a radius away
         self.assertLess(abs(distance - (0.5 * x + 0.6 * y - 2 * z)), 0.6, said)
 
     def test_blurred_input_causes_a_warning(self):

@@ -15,7 +15,7 @@ LOCATION = (0.0, 3.0, -6.0)
 DOWN = math.radians(30)
 RIGHT, UP, AXIS = (1.0, 0.0, 0.0), (0.0, math.cos(DOWN), math.sin(DOWN)), (0.0, -math.sin(DOWN), math.cos(DOWN))
 FILM, ANGLE = 36.0, 50.0
-FILM_DISTANCE = 0.5 * FILM / math.tan(math.radians(ANGLE / 2))
+FILM_DISTANCE = 0.5 * FILM / math.tan(math.radians(ANGLE / 2))  # mm
 POINTS = ((-1.8, 1.4, -1.0), (1.2, -0.2, -1.6), (0.1, 1.4, 1.0), (-1.5, -0.6, 3.4), (2.4, 1.0, 2.2))
 DIAMETER, UNIT = 0.8, 20.0  # units; mm
 VIEW = (
@@ -70,7 +70,6 @@ def seen_from_film(k, point):
     q = (k[0], k[1], k[2] + UNIT / FILM_DISTANCE)
     t = [part / math.hypot(*q) for part in q]
     across = [point[i] / point[2] for i in (0, 1)]
-    # all vectors but the lens's normal
     return math.sqrt((2 + dot(across, across) - sum((t[i] - t[2] * across[i]) ** 2 for i in (0, 1))) / 2)
 
 
@@ -126,7 +125,7 @@ class SharpPoints(rendering.RenderTest):
         total = sum(light for light, _, _ in lights)
         middle = [sum(light[0] * light[i] for light in lights) / total for i in (1, 2)]
         spread = sum(light * ((x - middle[0]) ** 2 + (y - middle[1]) ** 2) for light, x, y in lights) / total
-        return math.sqrt(8 * (spread - 1 / 6))  # 1/6 for the pixel's own square
+        return math.sqrt(8 * (spread - 1 / 6))
 
     def test_widest_aperture_and_the_lens_without_tilt(self):
         result = self.rendered("sharp_within 5")

@@ -28,8 +28,8 @@ class Skipped(rendering.RenderTest):
     def test_even_pixels_end_at_the_minimum(self):
         self.assertEqual(numbers("Ended at the minimum", said_of(EVEN)), [64 * 48, 64 * 48, 8])
         ended = numbers("Ended at the minimum", said_of(FLOOR + EVEN, view=LEVEL))
-        self.assertGreaterEqual(ended[0], 64 * 16)  # the blocks above the horizon
-        self.assertLess(ended[0], 64 * 24)  # no more than the sky
+        self.assertGreaterEqual(ended[0], 64 * 16)
+        self.assertLess(ended[0], 64 * 24)
 
     def test_first_round_is_longer_if_many_pixels_of_a_block_need_more(self):
         """The horizon lies in the first row of blocks, whose sky exceeds the minimum too."""

@@ -42,7 +42,6 @@ class Pinhole(rendering.RenderTest):
         self.assert_near(rendering.render(own, **SIZE), rendering.render(sheared, **SIZE), 1e-4, "shear")
 
     def test_shift_by_whole_pixels(self):
-        """3.5 mm are 7 pixels, 2 mm are 4."""
         still = rendering.render(pinhole(""), **SIZE)
         moved = rendering.render(pinhole("shift <3.5, 2>"), **SIZE)
         self.assert_near(moved.crop(0, 4, 65, 54), still.crop(7, 0, 72, 50), 1e-3, "shift")

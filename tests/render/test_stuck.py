@@ -15,7 +15,7 @@ WAITING = {
     "prescription": 'camera { location -5*z look_at 0 tilt_lens { prescription "pipe.inc" } }\n',
     "loop": "#while (1) #end\n",
 }
-PATIENCE = 100  # seconds; it takes about three
+PATIENCE = 100  # seconds
 
 
 class Stuck(rendering.RenderTest):

@@ -158,7 +158,7 @@ inline void PullNothing(Random&, Request&, FilmPoint&) {}
 
 inline void PullCorners(Random& random, Request&, FilmPoint& at)
 {
-    const double middle = 0.5 - 0.5e-5;  // the last pixel of 100,000
+    const double middle = 0.5 - 0.5e-5;
     at = {Sign(random) * middle, Sign(random) * middle};
 }
 

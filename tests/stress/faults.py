@@ -80,7 +80,6 @@ def one_kill(folder, scene, whole, stop, moment):
     state = list(folder.glob("*.pov-state"))
     stored = state[0].stat().st_size if state else 0
     said = rendering.Job(scene, (*OPTIONS, "+C"), **SIZE).run(folder)
-    # holds at least one block
     kept = stored < 5000 or "Pixels:" in said and _pixels(said) < SIZE["width"] * SIZE["height"]
     return {"same": is_whole(folder / "picture.png", whole), "torn": tear, "kept": kept, "before_first_block": not state, "after_end": late}
 
@@ -173,7 +172,6 @@ def read_only(folder, whole):
 
 
 def listening(whole, kind):
-    """Without a reader, the render finishes the picture or fails."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)
         if kind == "closed":

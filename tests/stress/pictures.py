@@ -127,7 +127,6 @@ def picture(scene, batch=0):
 
 
 def independent(scene_of, count, jobs):
-    """scene_of(batch) has a frame wider by `batch`."""
     return results.in_parallel(jobs, lambda k: picture(scene_of(9 * k + 1), 9 * k + 1).values, range(count))
 
 
@@ -237,7 +236,6 @@ def students_quantile(p, freedom):
     scale = math.exp(math.lgamma((freedom + 1) / 2) - math.lgamma(freedom / 2)) / math.sqrt(freedom * math.pi)
 
     def beyond(t, steps=4000):
-        # with t/x as the variable
         total = 0.0
         for i in range(steps):
             x = (i + 0.5) / steps

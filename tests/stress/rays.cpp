@@ -63,7 +63,6 @@ double FilmOffset(const V& right, const V& up, const V& truth, const V& directio
     return std::hypot(dx, dy) * kPictureWidth;
 }
 
-/// For small angles.
 Exact AngleBetween(const V& a, const V& b)
 {
     return a.Cross(b).Length() / (a.Length() * b.Length());
@@ -129,7 +128,7 @@ struct Run
 {
     std::uint64_t cameras = 0, refused = 0, rays = 0, broken = 0, obviousBroken = 0, reachFilm = 0;
     Spread ulps, wellPosed, pixels, narrowPixels, narrowRounded, narrowRoundings, reachPixels, obviousPixels, origin;
-    std::map<std::string, std::uint64_t> refusals;  ///< by the first words of the message
+    std::map<std::string, std::uint64_t> refusals;
     json worst = json::object();
 
     void Camera(Random& random, const Request& request, const FilmPoint& at);

@@ -49,7 +49,6 @@ def known(block, names):
 
 
 def suppressed(tool):
-    """Names in a tool's file."""
     pairs, reason = [], []
     lines = (SUPPRESSIONS / f"{tool}.txt").read_text().split("\n\n", 1)[1].splitlines()
     for number, line in enumerate(lines):
@@ -69,7 +68,6 @@ def findings(folder, suppress=True):
     names = [name.split(":", 1)[1] for name, _ in suppressed("tsan")] if suppress else []
     ours, others, met = [], [], collections.Counter()
     for path in pathlib.Path(folder).glob("log.*"):
-        # messages may come in between
         text = THREADS.sub(lambda report: FOREIGN.sub("", report[0]), path.read_text(errors="replace"))
         for block in BLOCKS.findall(text):
             pair = known(block, names)

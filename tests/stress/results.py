@@ -18,7 +18,7 @@ RESULTS = ROOT / "docs" / "numerics"
 class Setup:
     build: pathlib.Path
     jobs: int = os.cpu_count() or 1
-    unfinished: pathlib.Path | None = None  # unfinished work; by default in the build
+    unfinished: pathlib.Path | None = None
 
     @property
     def povray(self):

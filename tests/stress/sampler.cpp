@@ -77,7 +77,7 @@ double StarDiscrepancy(std::vector<Point> points)
 {
     std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.x < b.x; });
     const double n = double(points.size());
-    std::vector<double> ys = {0.0, 1.0};  // ordered, of the points to the left
+    std::vector<double> ys = {0.0, 1.0};
     double worst = 0.0;
     for (std::size_t i = 0; i <= points.size(); i++)
     {
@@ -150,7 +150,6 @@ std::uint64_t Repeated(const PixelSampler& sampler, int dimension, std::uint32_t
     return count - std::uint64_t(std::unique(values.begin(), values.end()) - values.begin());
 }
 
-/// Around 2^20, 2^31 and the last: in range, and different.
 std::uint64_t OverflowFaults(const PixelSampler& sampler)
 {
     std::uint64_t wrong = 0;

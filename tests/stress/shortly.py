@@ -1,12 +1,11 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Time of all short forms; the limit is five minutes."""
 
 import os
 import re
 import subprocess
 
-LIMIT = 300
+LIMIT = 300  # seconds
 
 
 def measure(setup):

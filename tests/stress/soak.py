@@ -14,9 +14,9 @@ from tests.stress import results
 from tools import povray_run
 
 FRAMES, ROWS = (250, 500), (1536, 12288)
-SMALLEST = 8
+SMALLEST = 8  # bytes of jemalloc's smallest block
 WIDTH, TILE = 64, 32
-PIXEL = 20  # five floats
+PIXEL = 20  # bytes: five floats
 # as JSON on standard error, without the threads' caches
 COUNTS = "tcache:false,stats_print:true,stats_print_opts:Jdablxeh,stats_interval:1000000,stats_interval_opts:Jdablxeh"
 HEAD = "#version 3.7; global_settings { assumed_gamma 1 }\n"
@@ -54,7 +54,6 @@ def counts(said):
 
 
 def render(setup, scene, size, *options):
-    """Allocated bytes at the end, and their peak."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         (pathlib.Path(name) / "scene.pov").write_text(scene)
         command = povray_run.command(setup.povray, "scene.pov", "picture.png", size, "-V", "-GA", *options)

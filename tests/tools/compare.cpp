@@ -25,7 +25,7 @@ using witness::Reference;
 enum ExitCode
 {
     kOk = 0,
-    kFailure = 1,  // of the tool itself: wrong usage, disk full
+    kFailure = 1,
     kDifferent = 2,
     kMissingReference = 3,
     kMissingPicture = 4,

@@ -39,7 +39,7 @@ std::array<std::uint32_t, 32> Directions(int degree, std::uint32_t coefficients,
 
 std::uint64_t Mixed(std::uint64_t x)
 {
-    x += 0x9e3779b97f4a7c15ull;  // splitmix64
+    x += 0x9e3779b97f4a7c15ull;
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
     x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
     return x ^ (x >> 31);

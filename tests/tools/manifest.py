@@ -41,7 +41,7 @@ FIELDS = [
 
 @dataclasses.dataclass
 class Entry:
-    name: str  # "oracle/tilt" or "renders/table"
+    name: str
     scene: pathlib.Path
     case: pathlib.Path  # None for a picture of the fork's own
     width: int
@@ -60,7 +60,6 @@ class Entry:
         return "new.png" if self.case else "new.exr"
 
     def job(self, povray, declare=()):
-        """`declare` holds Name=Value."""
         form = ["+FN16", "File_Gamma=1.0"] if self.case else ["+FE"]
         return pictures.Render(
             str(povray), self.scene, self.width, self.height, form + self.options + ["Declare=" + item for item in declare]

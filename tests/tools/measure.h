@@ -23,7 +23,7 @@ struct PixelDifference
 struct Figures
 {
     double rootMeanSquare = 0.0;  ///< over all pixels and channels
-    double signedMean = 0.0;      ///< of new minus reference
+    double signedMean = 0.0;  ///< of new minus reference
     double largest = 0.0;         ///< absolute
     double largestLocalMean = 0.0;  ///< absolute, of the signed mean over boxes of 8 by 8 pixels, each channel
     std::size_t different = 0;
@@ -45,7 +45,7 @@ struct ZTestSettings
 struct ZTest
 {
     double pixelLimit = 0.0, boxLimit = 0.0;  ///< in standard errors
-    double passing = 0.0;                     ///< share of pixels
+    double passing = 0.0;
     double largest = 0.0, largestBox = 0.0;   ///< in standard errors
     bool passed = false;
 };

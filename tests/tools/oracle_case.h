@@ -49,7 +49,7 @@ struct CameraGiven
     double filmWidth = 36.0;            ///< mm
     double sceneUnit = 1000.0;          ///< mm in one scene unit
     Focus focus = Focus::Lens;
-    double turnUp = 0.0, turnRight = 0.0;  ///< of the lens or of the plane
+    double turnUp = 0.0, turnRight = 0.0;  ///< tilt and swing, of the lens or of the plane
     Vector points[3];       ///< first: the focal point; all: three points of the plane
     Vector normal;          ///< of the plane, any length
     double distance = 0.0;  ///< of the plane, along its unit normal
@@ -70,7 +70,7 @@ struct OracleCase
 struct CameraSolved
 {
     Vector location;              ///< lens centre
-    Vector direction, right, up;  ///< includes the shift
+    Vector direction, right, up;
     Vector focus;                 ///< k: plane of sharp focus is k.(X - location) = 1
     Vector lensNormal;            ///< unit, away from the film
     Vector lensX, lensY;          ///< of a lens point (a, b) with a^2 + b^2 <= 1

@@ -58,7 +58,7 @@ Vector PlaneOfLens(const Vector& t, double f, double s)
     double weights[3];
     for (int i = 0; i < 3; ++i)
     {
-        const double v = -Dot(film[i], t);  // image distance along the lens normal
+        const double v = -Dot(film[i], t);
         images[i] = -f * film[i];  // (u/v) times the mirrored film point, u = v f / (v - f)
         weights[i] = v - f;
     }
@@ -78,7 +78,6 @@ Vector LensOfPlane(const Vector& k, double s)
     return t.z > 0.0 ? t : -1.0 * t;
 }
 
-/// From X and its image on the chief ray's film point.
 double FocalLengthFor(const Vector& t, const Vector& film, const Vector& point)
 {
     const double u = Dot(point, t), v = -Dot(film, t);

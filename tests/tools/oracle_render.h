@@ -20,9 +20,9 @@ namespace witness
 
 struct RenderSettings
 {
-    std::string povray = "/usr/bin/povray";  ///< the unpatched program
+    std::string povray = "/usr/bin/povray";
     std::filesystem::path scenes;            ///< folder with the case's scene files
-    std::filesystem::path work;              ///< empty folder for scenes and frames
+    std::filesystem::path work;
     int batches = 8;                         ///< independent, for the standard error
     int samples = 512;                       ///< pinholes in a batch; a power of two
     int processes = 16;                      ///< at once: each idles 0.2 s per frame

@@ -124,7 +124,6 @@ TEST_P(AperturePicture, RisesWithUAndFallsWithV)
 
 TEST(AperturePictureOrientation, MatchesPovRaysBokeh)
 {
-    // v grows downward
     const Aperture corner = Aperture::Picture([](double u, double v) { return u > 0.75 && v < 0.25 ? 1.0 : 0.0; });
     for (double u : {0.0, 0.5, nearlyOne})
         for (double v : {0.0, 0.5, nearlyOne})

@@ -33,7 +33,7 @@ const double nearlyOne = std::nextafter(1.0, 0.0);
 
 struct Outline
 {
-    int blades;  ///< 0: disc
+    int blades;
     double angle;
     double curvature = 0;
 
@@ -148,10 +148,9 @@ TEST_P(ApertureOutline, RandomPointsFillItUniformly)
 
 TEST_P(ApertureOutline, NeighboursStayNeighbours)
 {
-    // a continuous bijection keeps strata connected and apart
     const Aperture aperture = GetParam().Make();
     const int n = 1000;
-    const double greatest = 6.0 / n;  // the map stretches by less than 6
+    const double greatest = 6.0 / n;
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j)
         {
@@ -286,7 +285,6 @@ TEST(AperturePolygon, HasItsCornersOnTheUnitCircle)
 
 TEST(AperturePolygon, TurnsFromRightToUp)
 {
-    // the turn by 90 degrees puts a corner at (0, 1)
     const Aperture triangle = Aperture::Polygon(3, M_PI / 2);
     double top = -2, bottom = 2;
     for (int i = 0; i < 1000; ++i)

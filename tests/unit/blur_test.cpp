@@ -112,7 +112,6 @@ TEST(PlaneOfBlur, ZeroIsThePlaneOfSharpFocus)
 
 TEST(PlaneOfBlur, MeetInTheHingeLine)
 {
-    // surfaces through the hinge line differ along the axis alone
     ForManyPixels([](const Lens& lens, const Vec3&, Random& random)
     {
         const Vec3 apart = PlaneOfBlur(lens, random(1.0, 9.0), 500.0) - lens.focus;

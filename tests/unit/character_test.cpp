@@ -77,7 +77,6 @@ TEST(Distortion, IsThePolynomialAboutTheAxisOfAShiftedFrame)
         const Lens lens = Made(Block(Distorted(0.1, -0.02), 0.0, shift, 0.0));
         for (const FilmPoint& picture : {FilmPoint{0.5, 0.5}, FilmPoint{-0.3, 0.1}, FilmPoint{0.0, -0.5}})
         {
-            // half widths of the film
             const double x = 2.0 * picture.x + shift / 18.0, y = 2.0 * picture.y * 24.0 / 36.0;
             const double r2 = x * x + y * y, factor = 1.0 + 0.1 * r2 - 0.02 * r2 * r2;
             const FilmPoint ideal = IdealFilmPoint(lens, picture);
@@ -172,7 +171,6 @@ TEST(Distortion, StretchesByTheInverseOfItsDerivatives)
     EXPECT_EQ(PictureStretch(Made(Block({})), {0.5, 0.5}), 1.0);
 }
 
-/// Compares the image through the ends of a thin lens's diameters with the layers' blur.
 TEST(Distortion, BlurIsTheSizeOfTheDiscInThePicture)
 {
     Statement given = Block(Distorted(0.2, -0.03), 0.0, 6.0, -4.0);

@@ -67,7 +67,7 @@ TEST(UpdateConvergence, EvenLightConvergesAtOnce)
 
 TEST(UpdateConvergence, NoiseStaysActiveUntilItsVarianceMeetsTheTarget)
 {
-    Prepared noisy(Limits(8, 4096, 1e-3), WhiteNoise);  // variance 1/12 of one sample
+    Prepared noisy(Limits(8, 4096, 1e-3), WhiteNoise);
     std::uint32_t samples = 8;
     while (noisy.Update(samples))
     {

@@ -47,6 +47,7 @@ TEST(Dispersion, MatchesRealGlasses)
     }
 }
 
+/// Paraxial focus of infinity, in the lens's frame.
 double FocusOf(const GlassLens& lens)
 {
     GlassRay ray{{1e-3, 0.0, 200.0}, {0.0, 0.0, -1.0}};
@@ -65,7 +66,6 @@ TEST(Dispersion, SingletMatchesTheThickLensEquation)
         const double power = (n - 1.0) * (1.0 / r1 - 1.0 / r2 + (n - 1.0) * d / (n * r1 * r2)),
                      backFocus = (1.0 - (n - 1.0) * d / (n * r1)) / power;
         EXPECT_NEAR(GlassLens(AtWavelength(prescription, wavelength)).Cardinal().focalLength, 1.0 / power, 1e-11);
-        // real rays in the d line's frame, behind the glass
         GlassLens coloured = lens;
         coloured.TakeIndices(AtWavelength(prescription, wavelength));
         EXPECT_NEAR(FocusOf(coloured), lens.Cardinal().frontVertex - d - backFocus, 1e-6) << wavelength;
@@ -77,7 +77,7 @@ TEST(Dispersion, AchromatHasTheSecondarySpectrum)
 {
     const double f = 100.0, V1 = 64.17, V2 = 36.37, n1 = 1.5168, n2 = 1.62004;
     const double power1 = V1 / (V1 - V2) / f, power2 = -V2 / (V1 - V2) / f;
-    const double c1 = 0.5 * power1 / (n1 - 1.0), c2 = power2 / (n2 - 1.0);  // equally biconvex; cemented
+    const double c1 = 0.5 * power1 / (n1 - 1.0), c2 = power2 / (n2 - 1.0);
     Prescription prescription;
     const auto row = [](double radius, double index, double abbe)
     {
@@ -94,7 +94,6 @@ TEST(Dispersion, AchromatHasTheSecondarySpectrum)
     const auto focal = [&](double wavelength) { return GlassLens(AtWavelength(prescription, wavelength)).Cardinal().focalLength; };
     EXPECT_NEAR(focal(kLineD), f, 1e-4);
     EXPECT_NEAR(focal(kLineF), focal(kLineC), 1e-6 * f);
-    // each part's power is proportional to n - 1
     for (const double wavelength : kWavelengths)
     {
         const double power = power1 * (IndexAt(n1, V1, wavelength) - 1.0) / (n1 - 1.0) +

@@ -184,7 +184,6 @@ TEST(EmitterSampling, IsUnbiased)
         {
             const std::uint32_t n = 1u << 16;
             const Pixel a = SampleOf(emitterSampled, lens, world, x, y, n, 1), p = SampleOf(plain, lens, world, x, y, n, 2);
-            // bounds the error of independent samples
             const double error = std::sqrt((a.variance + p.variance) / n) + 1e-9;
             EXPECT_LT(std::fabs(a.mean - p.mean), 3.5 * error) << one.name << " at " << x << ", " << y;
             squares += std::pow((a.mean - p.mean) / error, 2);

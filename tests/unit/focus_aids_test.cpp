@@ -89,7 +89,6 @@ TEST(FocusMap, ScaleShowsTheMapsColoursInOrder)
 {
     const int width = 640, height = 480;
     const FocusMapScale scale(width, height);
-    // the bar is the longest row of other colours than box and ink
     int row = height, left = 0, right = 0;
     for (int y = 0; y < height; y++)
     {

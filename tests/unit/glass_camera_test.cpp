@@ -22,6 +22,7 @@ namespace
 /// Nearly ideal near its axis; the stop is in the lens.
 const char* const kThin = "100 1e-6 1.5 20\n-100 1e-6 1 20\n0 0 0 10\n";
 
+/// 36 by 24 mm; 1 unit is 1 mm.
 struct Camera
 {
     Statement given;
@@ -82,7 +83,7 @@ Passage TraceThrough(const GlassLens& lens, const Aperture& aperture, GlassRay& 
 
 struct Counted
 {
-    double area = 0.0, l = 0.0, m = 0.0;  ///< area and mean of the directions that pass
+    double area = 0.0, l = 0.0, m = 0.0;
     int outside = 0, passed = 0;
 };
 
@@ -168,7 +169,7 @@ TEST(GlassCamera, BrightnessMatchesACountOfDirections)
             const SolvedLens lens = named.camera.Solved();
             const GlassCamera camera = named.camera.Made(aperture), natural = named.camera.Made(aperture, 1.0);
             const double middle = Count(camera, *lens.glass, aperture, {0.0, 0.0}, 160).area;
-            const auto falloff = [&](const FilmPoint& film)  // for the tilted film and a ray into the middle
+            const auto falloff = [&](const FilmPoint& film)
             {
                 const Vec3 direction = Normalized(camera.MiddleRay(film)->direction);
                 return std::fabs(Dot(direction, lens.axis) / Dot(direction, lens.normal));
@@ -261,7 +262,6 @@ TEST(GlassCamera, DrawsFourAsOneByOne)
     EXPECT_GT(refused, 300);
 }
 
-/// A point of the unit disc goes through the ellipse of directions and the glass into world axes.
 TEST(GlassCamera, DrawsThePointOfTheEllipse)
 {
     const Aperture disc = Aperture::Disc();
@@ -335,7 +335,6 @@ TEST(GlassCamera, IsAsBrightInItsMiddleAndSymmetric)
 
 TEST(GlassCamera, HasNoRings)
 {
-    // without steps, the second derivative has the bound of the pupils' overlap
     const GlassCamera camera = Camera(kDoubleGauss).Made();
     const double step = 0.002;
     double before = camera.Brightness({0.0, 0.0}), last = camera.Brightness({step, 0.6 * step});

@@ -57,7 +57,6 @@ Vec3 At(const GlassRay& ray, double z)
 
 TEST(CardinalPoints, MatchAThickLens)
 {
-    // lensmaker's equation and principal points
     const double a = 40.0, b = -60.0, d = 7.0, n = 1.55;
     const CardinalPoints points = GlassLens(Singlet(a, b, d, n)).Cardinal();
     const double f = 1.0 / ((n - 1.0) * (1.0 / a - 1.0 / b + (n - 1.0) * d / (n * a * b)));
@@ -113,7 +112,7 @@ TEST(GlassLens, ApproachesTheParaxialLimit)
         const CardinalPoints& points = lens.Cardinal();
         const double film = -points.separation - points.focalLength, height = 1e-3;
         StopPoint stop;
-        // a film point images infinity: rays leave parallel
+        // focused at infinity, rays leave parallel
         GlassRay ray{{0.0, 0.0, film}, Towards({0.0, 0.0, film}, {height, 0.0, -points.separation})};
         ASSERT_EQ(lens.Trace(ray, stop), Passage::Passed);
         EXPECT_NEAR(ray.direction.x, 0.0, 1e-6 * height / points.focalLength);
@@ -175,7 +174,6 @@ TEST(GlassLens, SphereHasAplanaticPoints)
 
 TEST(GlassLens, FollowsSnellsLawAtAnAsphere)
 {
-    // n sin is preserved in the plane of incidence
     Prescription prescription;
     prescription.rows = {Row(0.0, 5.0, 1.0, 60.0), Row(25.0, 400.0, 1.7, 20.0), Row(0.0, 0.0, 1.0, 500.0)};
     prescription.rows[1].conic = -1.3;
@@ -192,7 +190,6 @@ TEST(GlassLens, FollowsSnellsLawAtAnAsphere)
     const double slope = (sag(h + step) - sag(h - step)) / (2.0 * step);
     const Vec3 point{x, y, vertex - sag(h)}, normal = Normalized(Vec3{slope * x / h, slope * y / h, 1.0});
     const Vec3 in = Normalized(Vec3{-0.2, 0.1, -1.0});
-    // normal from a formula; then out through the plane
     const double ratio = 1.0 / 1.7, cosine = -Dot(in, normal);
     Vec3 expected = ratio * in + (ratio * cosine - std::sqrt(1.0 - ratio * ratio * (1.0 - cosine * cosine))) * normal;
     expected.x *= 1.7;
@@ -313,7 +310,6 @@ TEST(GlassLens, StopsDown)
     for (const double fNumber : {8.0, 2.8, 2.1})
     {
         lens.StopDown(fNumber);
-        // widest ray from infinity: focal length / (2 f-number)
         double widest = 0.0;
         for (double height = 0.0; height < 13.0; height += 1e-3)
         {

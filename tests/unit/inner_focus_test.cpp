@@ -50,6 +50,7 @@ std::vector<Named> Lenses()
             {"Canon RF", ReadPrescription(Whole("canon_rf_51.json"))}};
 }
 
+/// 36 by 24 mm; 1 unit is 1 mm.
 Statement Block(const Prescription& prescription)
 {
     Statement given;
@@ -127,7 +128,6 @@ TEST(InnerFocus, ImagesTheFocusOntoTheFilm)
     }
 }
 
-/// Real rays through an almost closed stop meet in the focal point.
 TEST(InnerFocus, LeadsRealRaysToTheFocus)
 {
     for (const Named& named : Lenses())
@@ -192,7 +192,6 @@ TEST(InnerFocus, MovesTheFilmBeyondTheGroupsReach)
     EXPECT_EQ(lens.groups, 1.0);
     EXPECT_NEAR(1.0 / lens.filmDistance + 1.0 / distance, 1.0 / lens.focalLength, 1e-12);
     EXPECT_GT(lens.filmDistance, FilmPlaceOf(prescription, 1.0) + 1.0);
-    // focused beyond infinity on the axis
     Statement given = Block(prescription);
     given.family = FocusFamily::FocalPlane;
     given.planeNormal = {0.0, -1.0, -0.2};

@@ -15,6 +15,7 @@ namespace tilt_lens
 namespace
 {
 
+/// 50 mm, f/2.8; 1 unit is 1 mm.
 struct Setting
 {
     Statement given;
@@ -109,7 +110,6 @@ TEST(LensCamera, BlurGrowsAwayFromTheSharpPlane)
     EXPECT_NEAR(camera.Blur({0.2, 0.1}, 3000.0, 640.0), 0.0, 1e-9);
     EXPECT_GT(camera.Blur({0.2, 0.1}, 2000.0, 640.0), 1.0);
     EXPECT_LT(camera.Blur({0.2, 0.1}, 5000.0, 640.0), -1.0);
-    // at infinity: aperture times film distance over focus distance
     const SolvedLens& lens = camera.Solved();
     const double atInfinity = camera.Blur({0.2, 0.1}, std::numeric_limits<double>::infinity(), 640.0);
     EXPECT_NEAR(atInfinity, -lens.diameter * lens.filmDistance / 3000.0 / 36.0 * 640.0, 1e-9);

@@ -23,7 +23,7 @@ struct BadCase
 {
     const char* name;
     std::function<void(Request&)> spoil;
-    std::vector<const char*> words; ///< parts of the message
+    std::vector<const char*> words;
 };
 
 std::ostream& operator<<(std::ostream& out, const BadCase& bad)
@@ -374,7 +374,7 @@ TEST(Warnings, NameARimThatPassesThroughTheFilm)
         SCOPED_TRACE(testing::Message() << request);
         const Lens pinhole = Solved(request);
         const double sine = Length(pinhole.normal - Dot(pinhole.normal, pinhole.axis) * pinhole.axis);
-        const double limit = 4.0 * pinhole.filmDistance / sine / request.given.scale;  // the aperture is 4 radii
+        const double limit = 4.0 * pinhole.filmDistance / sine / request.given.scale;
         request.given.aperture = 0.999 * limit;
         EXPECT_TRUE(Warnings(Solved(request), request.given).empty());
         request.given.aperture = 1.001 * limit;

@@ -184,7 +184,6 @@ double BlurInPixels(const Lens& lens, double distance, double width)
     const Vec3 shared = Dot(lens.normal, lens.axis) < 1 - 1e-12 ? Normalized(Cross(lens.axis, lens.normal)) : lens.axisRight;
     const Vec3 chief = Dot(lens.direction, lens.axis) * lens.axis;
     const Vec3 rim = lens.diameter / 2 * shared;
-    // D' - (k.D') l is parallel to X - l, and l to the film
     const Vec3 path = (distance * lens.axis - rim) * (Length(chief) / distance);
     const Vec3 frame = path + Dot(lens.focus, path) / (1.0 - Dot(lens.focus, rim)) * rim;
     // rounding leaves `shared` a component along the axis, large where the normal is nearly parallel to it

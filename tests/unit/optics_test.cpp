@@ -85,7 +85,6 @@ TEST_P(EveryFamily, LengthsAndFrameAreAsStated)
         {
             EXPECT_NEAR(Dot(lens.direction, lens.axis), Dot(request.camera.direction, lens.axis), 1e-15 * width * 8);
         }
-            // the film is the frame, mirrored at the lens centre and scaled
         EXPECT_NEAR(Dot(lens.direction, lens.axis) / width * film / lens.filmDistance, 1.0, 4e-15);
         const Vec3 moved = CameraPart(lens, lens.direction - request.camera.direction) * (film / width * s.sceneUnit);
         EXPECT_NEAR(moved.x, s.shiftRight, 1e-14 * s.filmWidth);
@@ -103,7 +102,7 @@ TEST_P(EveryFamily, FocusIsAsStated)
     {
         const Statement& s = request.given;
         const auto sharp = [&](const Vec3& world) { return Dot(lens.focus, world - request.camera.location); };
-        const double tolerance = 1e-12; // world coordinates cost some digits
+        const double tolerance = 1e-12;
         const Vec3 n = CameraPart(lens, lens.focus);
         switch (s.family)
         {
@@ -159,7 +158,6 @@ TEST_P(EveryFamily, LensFilmAndFocusShareALine)
         {
             const Vec3 point{out * t.x - along * s * t.y / across, out * t.y + along * s * t.x / across, -s};
             EXPECT_NEAR(Dot(t, point) / Length(point), 0.0, 1e-14);
-                // rounding of t, and of t/f in k
             EXPECT_NEAR(Dot(k, point), 1.0, 4e-15 * (Length(k) + 1.0 / lens.focalLength) * Length(point));
         }
     });
@@ -217,7 +215,6 @@ TEST_P(EveryFamily, ScaleMovesLengthsOnly)
             s.planeDistance *= factor;
             s.scale *= factor;
             const Lens same = Solved(scaled);
-            // exact for powers of two
             EXPECT_EQ(same.focalLength, factor * lens.focalLength);
             EXPECT_EQ(same.filmDistance, factor * lens.filmDistance);
             EXPECT_EQ(same.diameter, factor * lens.diameter);
@@ -291,7 +288,7 @@ TEST(PaperEquation, HoldsInBothDirections)
         request.given.swing = 0.0;
         const Lens back = Solved(request);
         const Vec3 n = CameraPart(back, back.focus);
-        const double slope = (s + distance) / s;  // amplification of an error of the lens's angle
+        const double slope = (s + distance) / s;
         ASSERT_NEAR(std::atan2(-n.y, n.z), angle, 1e-15 * (2.0 + slope * std::fabs(turn) + 20.0 / distance));
         ASSERT_NEAR(back.focalLength / lens.focalLength, 1.0, 1e-13);
     }

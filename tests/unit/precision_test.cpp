@@ -65,7 +65,6 @@ TEST(Precision, ARayIsFormedToAFewUnitsOfTheLastPlace)
             Vec<long double> truth;
             const LensRay exact = ExactRay(lens, x, y, a, b, truth), ray = MakeRay(lens, x, y, a, b);
             const double ulps = Ulps(As<long double>(ray.direction), truth);
-            // also fails for NaN
             if (!(ulps <= 4.0) || !(Length(ray.origin - exact.origin) <= 0x1p-50 * lens.diameter))
                 FAIL() << ulps << " ulp\n" << request << "\nx " << x << " y " << y << " a " << a << " b " << b;
             worst = std::max(worst, ulps);

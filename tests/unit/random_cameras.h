@@ -175,7 +175,6 @@ inline bool CouldBeBuilt(const Lens& lens)
     return dip < 0.5 * lens.filmDistance && lens.diameter < 2.0 * lens.focalLength;
 }
 
-/// A request whose lens could be built.
 inline Request SolvableRequest(Random& random, FocusFamily family, bool focalLengthGiven, Lens& lens)
 {
     for (;;)

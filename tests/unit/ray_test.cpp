@@ -80,7 +80,6 @@ TEST(Ray, AllRaysOfAFilmPointMeetInThePlaneOfSharpFocus)
         const Vec3 chief = ChiefRay(lens, x, y);
         const double w = Dot(lens.focus, chief);
         (w > 0.0 ? before : behind)++;
-            // multiplied by w, so that any distance will do
         for (const LensCoordinates& l : kLensPoints)
         {
             const LensRay ray = MakeRay(lens, x, y, l.a, l.b);
@@ -96,7 +95,6 @@ TEST(Ray, AllRaysOfAFilmPointMeetInThePlaneOfSharpFocus)
 
 TEST(Ray, FocusAtInfinityGivesParallelRays)
 {
-    // the plane of sharp focus is the floor, one unit below the camera
     const CameraFrame camera{{0, 1, 0}, {0, 0, 1}, {1.25, 0, 0}, {0, 1, 0}};
     Statement given;
     given.family = FocusFamily::FocalPlane;
@@ -189,7 +187,6 @@ TEST(Ray, IsThePathOfLightFromSceneToFilm)
         for (const LensCoordinates& p : kLensPoints)
         {
             const Vec3 l = p.a * lens.lensX + p.b * lens.lensY;
-                // the frame is the film, mirrored at the lens centre
             const Vec3 film = FilmPointOfLight(lens, point, l);
             const Vec3 frame = film * (-Dot(lens.direction, lens.axis) / lens.filmDistance) - lens.direction;
             const double y = Dot(frame, lens.axisUp) / Dot(lens.up, lens.axisUp);
@@ -246,7 +243,6 @@ TEST(Blur, VergenceIsTheBlurOfAParallelLens)
         const double T = random.Power(0.5, 4.0) * lens.focalLength / Dot(chief, lens.axis);
         const Vec3 l = a * lens.lensX + b * lens.lensY;
         const Vec3 moved = FilmPointOfLight(lens, T * chief, l) - FilmPointOfLight(lens, T * chief, {0, 0, 0});
-        // scale of film over frame
         const double scale = lens.filmDistance / Dot(chief, lens.axis), blur = BlurVergence(lens, chief, T);
         EXPECT_LT(Length(moved - scale * blur * l), 4e-15 * scale * Length(chief));
     });

@@ -159,7 +159,7 @@ TEST(Reconstruction, MirrorsBlocksForUnknownNeighbours)
                 const auto blockOf = [](int at) { return at < 0 ? 0 : at < kSide ? 1 : 2; };
                 const auto mirror = [](int& at) { at = at < 0 ? -1 - at : at < kSide ? at : 2 * kSide - 1 - at; };
                 int u = x, v = y;
-                if (!places[3 * blockOf(v) + blockOf(u)])  // the nearest in this row, else in this column, else the middle block
+                if (!places[3 * blockOf(v) + blockOf(u)])
                 {
                     const bool sameRow = places[3 * blockOf(v) + 1], sameColumn = places[3 + blockOf(u)];
                     if (sameRow || !sameColumn)
@@ -189,7 +189,6 @@ TEST(Reconstruction, RepeatsPixelsBeyondThePicturesEdge)
 
 TEST(Reconstruction, LampsLeaveDarkPixelsBesideThemUnharmed)
 {
-    // the lamp's noise is far above that around it
     for (const double lamp : {10.0, 1e3, 1e6})
         for (const double dark : {0.0, 0.5})
         {

@@ -96,7 +96,6 @@ class ReferenceCamera
 
     V Chief(double x, double y) const { return direction + V(camera.right) * Real(x) + V(camera.up) * Real(y); }
     V LensPoint(double a, double b) const { return Turned(right) * (radius * Real(a)) + Turned(up) * (radius * Real(b)); }
-    /// The plane of sharp focus is Focus().X = 1.
     V Focus() const { return n * (Real(1) / d); }
     Real Radius() const { return radius; }
     Real FilmDistance() const { return s; }

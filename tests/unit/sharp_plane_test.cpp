@@ -181,7 +181,7 @@ TEST(SharpPlane, ServesOtherPointsWhereThreeBind)
     {
         Equations equations;
         for (int j = 0; j < 3; j++)
-            equations.push_back({{j - 1.0, 0, 1}, j == 1 ? 2 : 1});  // blur of 1/2, by turns
+            equations.push_back({{j - 1.0, 0, 1}, j == 1 ? 2 : 1});
         const int others = 1 + i % 3;
         for (int j = 0; j < others; j++)
             equations.push_back({{random(-0.5, 0.5), random(0.1, 0.5), 1}, Real(1.5) + random(-0.2, 0.2)});

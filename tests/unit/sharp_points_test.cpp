@@ -117,7 +117,6 @@ TEST(SharpPoints, ThreeAreFocalPoints)
     }
 }
 
-/// Also with traits of real lenses.
 TEST(SharpPoints, WidestApertureHoldsAll)
 {
     Random random(4);
@@ -149,7 +148,6 @@ TEST(SharpPoints, WidestApertureHoldsAll)
             held++;
             ASSERT_NEAR(greatest, *request.given.sharpWithin, 1e-9 * greatest) << request;
         }
-        // the same lens, written with that f-number
         const double limit = *request.given.sharpWithin;
         request.given.sharpWithin.reset();
         request.given.fStop = stop;

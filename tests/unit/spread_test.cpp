@@ -32,7 +32,6 @@ Vec3 ChiefThrough(const Lens& lens, const Vec3& point)
     return point * (Dot(lens.direction, lens.axis) / Dot(point, lens.axis));
 }
 
-/// Pixels from the upper left corner.
 FilmPoint PixelOf(const Lens& lens, const Vec3& chief)
 {
     const Vec3 along = chief - lens.direction, r = Cross(lens.up, lens.axis), u = Cross(lens.axis, lens.right);
@@ -47,7 +46,6 @@ FilmPoint PixelThrough(const Lens& lens, const Vec3& point, const AperturePoint&
     for (int i = 0; i < 200; i++)
     {
         const double w = Dot(lens.focus, chief);
-        // T is the depth along the axis
         const double inverse = (Dot(lens.direction, lens.axis) - w * Dot(l, lens.axis)) / Dot(point - l, lens.axis);
         chief = inverse * point - (inverse - w) * l;
     }
@@ -152,7 +150,6 @@ double SendersTo(int pixel, double middle, double half, double begin, double end
     return std::max(1.0, sum * (to - from) / kSteps);
 }
 
-/// The picture's corner cuts off circles.
 TEST(SpreadSums, SharesAreTheWindowOverThatOfAllPossibleSenders)
 {
     Random random(13);

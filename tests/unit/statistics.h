@@ -1,9 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// @file statistics.h
-/// Statistics for tests of random quantities.
-
 #ifndef TILT_LENS_TESTS_STATISTICS_H
 #define TILT_LENS_TESTS_STATISTICS_H
 

@@ -346,7 +346,7 @@ TEST(TileSampler, RimsOfBlurredLampsAreNotTorn)
     {
         const SequencePoint s = SequencePointOf(id);
         const AperturePoint lensPoint = disc(s.lensU, s.lensV);
-        const double x = id.x + s.pixelX + blur * lensPoint.a, y = id.y + s.pixelY + blur * lensPoint.b;  // in the plane of the lamp
+        const double x = id.x + s.pixelX + blur * lensPoint.a, y = id.y + s.pixelY + blur * lensPoint.b;
         result = Grey(std::hypot(x - middle, y - middle) < lamp ? brightness : 0.0);
         result.circle = {float(x), float(y), float(blur), 0.0f, 0.0f, float(blur), &footprint};
     };
@@ -358,7 +358,6 @@ TEST(TileSampler, RimsOfBlurredLampsAreNotTorn)
     for (int y = 0; y < 64; y++)
         for (int x = 0; x < 64; x++)
         {
-            // half of the lamp is visible at `blur`
             const double distance = std::hypot(x + 0.5 - middle, y + 0.5 - middle);
             if (distance < blur - 1.0 || distance > blur + 1.0)
                 continue;

@@ -68,7 +68,6 @@ TEST(NaturalVignetting, HasTheTrueAnglesAndDistances)
     const double s = lens->filmDistance, sine = std::sin(8.0 * M_PI / 180.0), cosine = std::cos(8.0 * M_PI / 180.0);
     const auto light = [&](const FilmPoint& film)
     {
-        // upside down, behind the lens
         const Vec3 way{36.0 * film.x + 10.0, 24.0 * film.y, s}, filmNormal{0.0, 0.0, 1.0}, lensNormal{0.0, -sine, cosine};
         const double distance = Length(way);
         return Dot(way, filmNormal) / distance * Dot(way, lensNormal) / distance / (distance * distance);

@@ -39,6 +39,7 @@ struct Bend
 {
     double square, cube, fourth;
 
+    /// @param across  unit vector, perpendicular to the axis
     Bend(const Lens& lens, const Vec3& across) :
         square(lens.distortion2 + lens.distortionNear * Dot(lens.focus, lens.normal)),
         cube(lens.distortionNear * Dot(lens.focus, across)),

@@ -75,6 +75,7 @@ struct Kernels
     /// @return      one bit per ray that exists
     unsigned int (*aimAtPupils)(const FourPupils& pupils, const double* a, const double* b, FourGlassRays& rays);
 
+    /// Rays behind the lens, world frame.
     void (*leaveGlass)(const GlassFilm& film, const FourGlassPoints& points, const FourGlassRays& rays, FourGlassSamples& samples);
     /// @}
 

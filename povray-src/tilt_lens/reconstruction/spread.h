@@ -81,6 +81,7 @@ bool ServesOthers(const CircleOfConfusion& circle);
 
 struct SpreadPlanes
 {
+    /// Greatest spread along rows and columns, pixels.
     static constexpr int kReach = settings.spreadReach;
     static constexpr int kSide = int(settings.blockSide) + 2 * kReach;
     static constexpr int kMostLanes = sizeof(Float8) / sizeof(float);

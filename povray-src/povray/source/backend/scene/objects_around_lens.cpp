@@ -29,6 +29,7 @@ double HalfExtent(double x, double y, bool square)
     return square ? std::fabs(x) + std::fabs(y) : std::hypot(x, y);
 }
 
+/// World coordinates, scene units.
 struct LensBox
 {
     double low[3], high[3];
