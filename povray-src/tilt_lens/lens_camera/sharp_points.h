@@ -31,8 +31,8 @@ std::vector<double> SharpPointBlurs(const Vec3& location, const Statement& given
 
 double GreatestBlur(const std::vector<double>& blurs);
 
-/// Greatest blur of the sharp points, mm on the film, through the same lens parallel to the film and focused best. None if it cannot focus
-/// so. Needs an aperture.
+/// Greatest blur of the sharp points, mm on the film, through the same lens at the same f-number, parallel to the film and focused best.
+/// None if it cannot focus so. Needs an aperture.
 std::optional<double> BlurWithoutTilt(const Vec3& location, const Statement& given, const Lens& lens);
 
 } // namespace tilt_lens

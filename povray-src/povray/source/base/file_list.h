@@ -3,8 +3,9 @@
 
 /// @file
 /// The files that a render depends on, for programs that detect outdated pictures, and for the key of its state file. If the environment
-/// variable `TILT_LENS_FILE_LIST` names a file, entries are appended, each name once per run: `+` (read), `-` (missing) or `=` (a complete
-/// picture or layers' file), the name as used (relative to the current folder), and a zero byte.
+/// variable `TILT_LENS_FILE_LIST` names a file, entries are appended, each name once per run: `+` (read), `-` (missing; its presence
+/// could change the picture) or `=` (a complete picture or layers' file), the name as used (relative to the current folder), and a zero
+/// byte.
 
 #ifndef POVRAY_TILT_LENS_FILE_LIST_H
 #define POVRAY_TILT_LENS_FILE_LIST_H

@@ -13,7 +13,8 @@
 namespace pov
 {
 
-/// Follows TraceRay's recursion. A path continues with a secondary ray that brings at least half of the light.
+/// Follows TraceRay's recursion. A path continues with a secondary ray that brings at least half of the light, or with any if all are
+/// black.
 class LightPath
 {
   public:
