@@ -19,7 +19,7 @@ struct Settings
 {
     /// @name Windows and blocks, in pixels unless said otherwise
     /// @{
-    /// Side of a block of pixels that are sampled and reconstructed together.
+    /// Side of a block: pixels that are sampled and reconstructed together, on a grid fixed to the whole picture.
     static constexpr std::uint32_t blockSide = 16;
     /// Distance, in blocks, of the farthest block that a pixel depends on (section 7).
     static constexpr std::int64_t dependencyRadius = 2;
@@ -95,7 +95,7 @@ struct Settings
 
     /// @name Reconstruction (section 5)
     /// @{
-    /// A filter with a risk above this multiple of the unfiltered pixels' risk has no weight.
+    /// A filter with a risk above this multiple of the unfiltered pixels' risk has no weight; risks below the inverse are chance.
     float greatestRisk = 20.0f;
     /// Limit of a pixel's risk over its noise, outside its 3 by 3 window.
     float riskLimit = 8.0f;
