@@ -34,7 +34,7 @@ class UnreadablePicture(Exception):
 
 
 def quoted(name):
-    """In quotation marks where a character would end it."""
+    """The name, in quotation marks where a character would end it."""
     name = str(name)
     if not re.search(r"[\s;#\"']", name):
         return name
@@ -42,7 +42,7 @@ def quoted(name):
 
 
 def command(program, scene, picture, size, *options, library=(), before=()):
-    """Without window or pause; later options override.
+    """Command line without window or pause; later options override.
     @param picture  None: none is written; "": named after the scene
     @param library  further include folders
     @param before   user's options, which must not change scene, picture or size"""
@@ -64,7 +64,7 @@ def command(program, scene, picture, size, *options, library=(), before=()):
 
 
 def user_environment(without=USER_SETTINGS, **variables):
-    """Without settings, display or other variables."""
+    """The user's environment without settings, display or other variables."""
     return {**{name: value for name, value in os.environ.items() if name not in without}, **variables}
 
 
@@ -74,7 +74,7 @@ def environment(**variables):
 
 
 def held_to_permissions():
-    """Subjects even root to file permissions. Root keeps its name: another user might be unable to read the program."""
+    """Words before a command that subject even root to file permissions."""
     powers = "-dac_override,-dac_read_search"
     return ["setpriv", f"--bounding-set={powers}", f"--inh-caps={powers}"] if os.getuid() == 0 else []
 
@@ -85,7 +85,7 @@ class Done:
     code: int | None  # exit code, or minus the signal; None: ended because of the time limit
     said: str  # standard output and standard error
     cpu: float  # seconds, user and system
-    seconds: float  # elapsed
+    seconds: float
     memory: int  # peak of resident memory, bytes
 
     def told(self):
@@ -99,7 +99,6 @@ class Done:
         return f"{shlex.join(self.command)}\n{ended}\n{self.said[-3000:]}"
 
     def succeeded(self):
-        """This run. Raises Failed if it failed."""
         if self.code != 0:
             raise Failed(self.told())
         return self
@@ -135,7 +134,7 @@ def run(words, folder=None, env=None, limit=PATIENCE, **how):
 
 
 def sources(scene, folders=()):
-    """From its own folder or the first of `folders` that has them, in order."""
+    """The scene and the files that it includes, from its own folder or the first of `folders` that has them."""
     found = [pathlib.Path(scene)]
     for path in found:
         for name in re.findall(r'#include\s+"([^"]+)"', path.read_text()):
@@ -185,5 +184,4 @@ READERS = {}
 
 
 def pixels(compare, path):
-    """As `compare pixels` writes it. Raises UnreadablePicture."""
     return READERS.setdefault(str(compare), Reader(str(compare))).ask(path)

@@ -40,7 +40,7 @@ class Request:
         self.program = program
 
     def picture_kind(self):
-        """From +F and the output's name, which must agree."""
+        """Kind of the pictures, from +F and the output's name, which must agree."""
         asked = self.inputs.options.kind
         named = None
         if self.kind == "still" and self.settings.output:
@@ -120,7 +120,7 @@ def understood(settings, words):
 
 
 def take_up(work, request, stored):
-    """None unless its key is unchanged."""
+    """Resumes the batch if its key is unchanged; else returns None."""
     old, new = stored["key"], request.key()
     if stored["hash"] != keys.key_hash(old):
         raise BatchError(f"{str(work.description)!r} is damaged. Start over with --anew.")
@@ -191,7 +191,6 @@ def has_jobs(folder):
 
 
 def leave_output(work, description):
-    """Called by the last job; a waiting call removes its lock itself."""
     key, own = description["key"], str(work.folder)
     path = lock_of_output(key["kind"], description["output"], key["pictures"])
     if path.exists():
@@ -214,7 +213,7 @@ def output_alone(work, request):
 
 
 def choose_bands(request, probe, size, engine):
-    """As requested, or enough for the workers while each band is worth its start."""
+    """Bands as requested, or enough for the workers while each is worth its start."""
     asked, count = request.settings.bands, len(request.pictures)
     if asked == 1:
         return {"picture": 0.0, "start": 0.6}, 1

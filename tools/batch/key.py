@@ -40,7 +40,7 @@ class Links:
 
 
 def listed_files(path, links):
-    """(read, missing), of the user's files."""
+    """(read, missing): the user's files."""
     try:
         entries = path.read_bytes().split(b"\0")
     except FileNotFoundError:
@@ -49,7 +49,7 @@ def listed_files(path, links):
         ) from None
     read, missing = set(), set()
     for entry in entries:
-        if entry[:1] not in (b"+", b"-"):  # "=" is a written picture
+        if entry[:1] not in (b"+", b"-"):
             continue
         name = links.real(os.fsdecode(entry[1:]))
         if name is not None:
@@ -75,7 +75,7 @@ def change_stamps(paths):
 
 
 def changed_since(path, before, moment):
-    """Without a stamp: since a moment (seconds of the epoch), by the file system's clock, which may be late."""
+    """True if the path has changed since its stamp or, without a stamp, since a moment (seconds of the epoch) by the file system's clock."""
     if path in before:
         return change_stamps([path]) != {path: before[path]}
     return os.stat(path).st_ctime_ns > (moment - 0.02) * 1e9

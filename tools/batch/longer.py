@@ -20,7 +20,7 @@ IN_INI = re.compile(r"^\s*([+-]K|\w+_Clock|Cyclic_Animation)", re.IGNORECASE | r
 
 
 def single(value):
-    """Single precision, as in POV-Ray's options."""
+    """Rounds to single precision, as POV-Ray's options do."""
     return struct.unpack("f", struct.pack("f", value))[0]
 
 

@@ -48,7 +48,7 @@ FORMATS = {"N": "png", "E": "exr"}
 
 
 def unquoted(text):
-    """POV-Ray needs quotation marks around spaces."""
+    """Without quotation marks."""
     if len(text) > 1 and text[0] == text[-1] and text[0] in "\"'":
         return text[1:-1]
     return text
@@ -113,7 +113,6 @@ class PovOptions:
             self.words.append(word)
 
     def set_kind(self, word, value):
-        """Chooses PNG or OpenEXR."""
         if value[:1].upper() not in FORMATS:
             raise BatchError(
                 f"{word!r}: a batch writes PNG (+FN, +FN16) or OpenEXR (+FE), whose parts can be put " "together without a change."

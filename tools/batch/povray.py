@@ -94,7 +94,7 @@ def prepare_state(folder):
 
 
 def clear_output(folder, also_state=False):
-    """POV-Ray would take a truncated picture for a finished one."""
+    """Removes output, since POV-Ray would take a truncated picture for a finished one."""
     for path in folder.glob(f"{PICTURE}*"):
         if also_state or path.suffix != ".pov-state":
             path.unlink()
@@ -116,7 +116,7 @@ def start(description, folder, words, log, lock=None):
 
 
 def outputs(folder):
-    """Rest of the name after "picture" and frame number -> file."""
+    """{rest of the name after "picture" and frame number: file}."""
     found = {}
     for path in sorted(folder.glob(f"{PICTURE}*")):
         if path.suffix in (".png", ".exr"):
@@ -125,7 +125,6 @@ def outputs(folder):
 
 
 def image_info(path):
-    """Size, channels and hash of the decoded pixels."""
     done = subprocess.run(
         ending_with_parent(["oiiotool", "--info", "--hash", path.name]),
         cwd=path.parent,

@@ -68,7 +68,7 @@ class Probe:
             print(f"first look at the scene: {spent:.0f} s so far; log: {log}.{hint}", file=sys.stderr)
 
     def picture_size(self):
-        """By two pixels, whose file list goes into the key."""
+        """Renders two pixels to find the size; their file list goes into the key."""
         folder, _, _ = self.render("whole", (1, 2))
         return povray.image_info(self.output(folder))["size"]
 
@@ -76,7 +76,6 @@ class Probe:
         return povray.outputs(folder)["." + self.description["key"]["extension"]]
 
     def small_size(self, size):
-        """A small size with almost the same proportions, for estimates."""
         rows = min(SMALL_ROWS, size[1])
         return [max(2, min(SMALL_COLUMNS, round(size[0] * rows / size[1]))), rows]
 

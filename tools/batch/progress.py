@@ -63,7 +63,7 @@ class Running:
 
 
 class Progress:
-    """Overwritten on a terminal, repeated now and then elsewhere."""
+    """Progress line, overwritten on a terminal, repeated now and then elsewhere."""
 
     def __init__(self, work, description, quiet=False):
         self.work, self.description, self.quiet = work, description, quiet
@@ -74,7 +74,7 @@ class Progress:
         self.hinted = False
 
     def time_left(self, state):
-        """By this run's pace; None before a hundredth of a unit."""
+        """Seconds at this run's pace; None before a hundredth of a unit."""
         running = sum((Running(self.work, name, self.description).percent() or 0) / 100 for name in state.running)
         finished = len(state.done) - self.at_begin + running
         if finished < 0.01:
@@ -121,7 +121,7 @@ class Progress:
 
 
 def log_end(path, lines=6, begins=0, ends=None):
-    """Its last lines, or those of bytes `begins` to `ends`."""
+    """The log's last lines, or those of bytes `begins` to `ends`."""
     try:
         ends = os.path.getsize(path) if ends is None else ends
         with open(path, "rb") as stream:

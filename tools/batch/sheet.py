@@ -22,7 +22,7 @@ def columns(sets, count):
 
 
 def thumb(link, target, size, label):
-    """Linear values are converted for display."""
+    """A thumbnail; linear values are converted for display."""
     width, height = size
     words = [link, "--ch", "R,G,B"]
     if link.endswith(".exr"):

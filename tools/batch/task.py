@@ -69,7 +69,6 @@ class Unit:
             stream.write(f"--- {time.strftime('%H:%M:%S')} unit {self.name}: {text}\n")
 
     def place_in_log(self):
-        """Log file, and byte offset of this unit's lines."""
         return {"log": str(self.log), "begins": self.begins}
 
     def do(self):
@@ -146,7 +145,7 @@ class Unit:
         return None, False
 
     def drop_state(self, status, size):
-        """True if POV-Ray crashed on it. A file that has grown was readable; a kill or a full disk is not its fault."""
+        """True if the state file made POV-Ray crash. A file that has grown was readable; a kill or a full disk is not its fault."""
         path = povray.state_file(self.folder)
         blameless = -status in povray.KILLED or any(little_room(self.folder))
         if path is None or blameless or path.stat().st_size > size:
