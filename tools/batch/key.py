@@ -75,7 +75,7 @@ def change_stamps(paths):
 
 
 def changed_since(path, before, moment):
-    """True if the path has changed since its stamp or, without a stamp, since a moment (seconds of the epoch) by the file system's clock."""
+    """True if the path has changed since its stamp or, without a stamp, since a moment (epoch seconds) by the file system's clock."""
     if path in before:
         return change_stamps([path]) != {path: before[path]}
     return os.stat(path).st_ctime_ns > (moment - 0.02) * 1e9
