@@ -174,7 +174,7 @@ double PictureStretch(const Lens& lens, const FilmPoint& picture)
     const auto moved = [&](const Vec3& by) { return IdealChiefRay(lens, IdealFilmPoint(lens, OnFrame(lens, at + by))); };
     const Vec3 right = step * lens.axisRight, up = step * lens.axisUp;
     const Vec3 byX = (moved(right) - moved(-right)) / (2.0 * step), byY = (moved(up) - moved(-up)) / (2.0 * step);
-    // inverse of that map's least singular value, from the eigenvalues of its square
+    // inverse of the least singular value of the derivative, from the eigenvalues of its square
     const double xx = Dot(byX, byX), yy = Dot(byY, byY), xy = Dot(byX, byY);
     const double least = 0.5 * (xx + yy) - std::hypot(0.5 * (xx - yy), xy);
     return 1.0 / std::sqrt(least);
