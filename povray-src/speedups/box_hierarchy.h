@@ -31,7 +31,7 @@ class BoxHierarchy
   public:
     static constexpr int kMostLevels = 40;
 
-    /// @param items  boxes that bound their items in exact arithmetic
+    /// @param items  finite boxes that bound their items in exact arithmetic
     explicit BoxHierarchy(std::vector<BoxItem> items);
 
     std::size_t Bytes() const { return nodes.size() * sizeof(Node) + whats.size() * sizeof(void*); }

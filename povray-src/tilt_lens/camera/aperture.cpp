@@ -130,7 +130,7 @@ struct Aperture::Grade
     double power;    ///< n of Aperture::Graded()
     bool rim;        ///< bright at the rim; else in the middle
 
-    /// Moves a point of the unit square along the line through the centre, so that light takes the place of area.
+    /// Moves a point of the unit square towards the centre or away from it, so that equal areas get equal light.
     AperturePoint Map(double u, double v) const
     {
         const double x = 2 * u - 1, y = 2 * v - 1;

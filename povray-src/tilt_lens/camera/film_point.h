@@ -64,7 +64,7 @@ inline FilmPoint FilmPointAt(double column, double row, double width, double hei
     return {column / width - 0.5, 0.5 - row / height};
 }
 
-/// Film point of an ideal lens's chief ray; none if the ray leads away from the scene.
+/// Film point of an ideal lens's chief ray of any length; none if the ray leads away from the scene.
 std::optional<FilmPoint> IdealFilmPointOf(const Lens& lens, const Vec3& along);
 
 /// Film point of the ideal lens that distortion or lateral colour shows at a picture point.

@@ -51,7 +51,8 @@ Vec3 InCamera(const Lens& lens, const Vec3& v)
     return {part(lens.axisRight), part(lens.axisUp), part(lens.axis)};
 }
 
-/// True if no chief ray meets the plane of sharp focus in front of the lens; corners suffice.
+/// True if no chief ray meets the plane of sharp focus in front of the lens. The inverse distance is linear over the frame,
+/// so testing its corners suffices.
 bool IsSharpBehindOnly(const Lens& lens)
 {
     for (double x : {-0.5, 0.5})

@@ -24,7 +24,7 @@ struct PrescriptionRow
 {
     double radius = 0.0;  ///< mm; 0: plane
     double thickness = 0.0;  ///< mm along the axis to the next row; the last row's counts only against nearThickness
-    std::vector<double> nearThickness;  ///< mm, for each of objectDistances; empty: does not move
+    std::vector<double> nearThickness;  ///< mm, for each of objectDistances (last row: to the film); empty: does not move
     double index = 1.0;  ///< behind the surface, at the d line (587.6 nm)
     double abbe = 0.0;  ///< of that medium; 0: not stated, or air
     double diameter = 0.0;  ///< mm, clear opening

@@ -71,6 +71,7 @@ inline double MeanColour(const Radiance& value)
     return (value[0] + value[1] + value[2]) / 3.0;
 }
 
+/// @param value  without negative channels, as variances
 inline double LargestChannel(const Radiance& value)
 {
     double largest = 0.0;

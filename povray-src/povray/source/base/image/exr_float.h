@@ -28,7 +28,7 @@ typedef std::function<void(unsigned int row, std::vector<std::vector<float>>& ch
 /// File attributes: 1, 2, 3 or 16 numbers (matrix row by row).
 typedef std::map<std::string, std::vector<float>> FloatAttributes;
 
-/// Requests one row after the other, which keeps memory small.
+/// Requests one row after the other, which keeps memory small. `screenWindowWidth` and `screenWindowCenter` become the header's fields.
 /// @throws pov_base::Exception  unwritable file
 void WriteFloats(OStream& file, unsigned int width, unsigned int height, const std::vector<std::string>& channels, const FloatRows& rows,
                  const FloatAttributes& attributes);

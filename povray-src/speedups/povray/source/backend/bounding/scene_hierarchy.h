@@ -22,6 +22,7 @@ namespace pov
 class SceneHierarchy
 {
   public:
+    /// Makes hierarchies of all meshes, also of those in CSG, bounding and clipping objects.
     /// @param all  the scene's objects; must outlive the hierarchy
     explicit SceneHierarchy(const std::vector<ObjectPtr>& all);
 
