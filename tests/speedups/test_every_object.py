@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Hierarchies of tilt_lens scenes find what POV-Ray finds without bounding (-MB): types of objects, random scenes, sizes from 1e-9 to 1e12,
-rays along axes and on faces, equal depth.
+"""Hierarchies of tilt_lens scenes give the pictures that POV-Ray renders without bounding (-MB).
 
 An empty tilt_lens block keeps the camera's rays. Stock's hierarchy (+MB) misses some rays along faces of boxes."""
 
