@@ -74,11 +74,12 @@ struct Settings
 
     /// @name Emitter sampling (section 4)
     /// @{
-    /// Radiance (1 is white) that lit surfaces seldom exceed. An emitter is an object that is brighter by its own finish.
+    /// Radiance (1 is white) that lit surfaces seldom exceed, however bright the lights. An emitter is an object that is brighter by its
+    /// own finish.
     static constexpr double greatestLitRadiance = 1.0;
-    /// Samples in a stratum of the lens coordinate: of four, one lies in each quarter of [0, 1).
+    /// Samples in a stratum of the lens coordinate: each aligned block of four samples has one in each quarter of [0, 1).
     static constexpr std::uint32_t emitterStratum = 4;
-    /// Points around the aperture from which the bounding box of an emitter's circle of confusion is computed.
+    /// Points on a circle around the aperture from which the bounding box of an emitter's circle of confusion is computed.
     static constexpr int blurBoxPoints = 16;
     /// Greatest number of bins in a row or column of the picture; least side of a bin, pixels; greatest number of emitters in a bin.
     static constexpr std::uint32_t emitterBins = 64, leastEmitterBinSide = 8;

@@ -16,7 +16,7 @@ from benchmarks.lab import TILT_LENS, Failed, Lab
 
 PROGRAM, TOOLS = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
 SIZE = (24, 18)
-HAVE_KNOWN = ("mirror", "two_mirrors", "sky", "textures")  # their references have lamps that are easily found
+HAVE_KNOWN = ("mirror", "two_mirrors", "sky", "textures")  # scenes whose references have lamps that are easily found
 
 
 def errors_of(noisy, sharp, counts=(2, 4, 8)):

@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""In random scenes, the default settings have no more error than fixed sampling with as many rays in each pixel. Lamps have random
-radiance, size and blur.
+"""In random scenes, the default settings have no more error than fixed sampling with as many rays in each pixel. Lamps of random radiance,
+size and blur are told by a finish or a texture_map or shown by a mirror.
 
 fixed_sampling.py --povray PROGRAM --compare TOOL [--scenes COUNT] [--seeds COUNT] [--scene NUMBER | --show NUMBER]
 

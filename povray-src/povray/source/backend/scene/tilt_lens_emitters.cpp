@@ -58,8 +58,8 @@ tilt_lens::Emitter EmitterOf(ObjectPtr object, const Camera& camera, double ligh
     return {low + half - location, Length(half), light, around};
 }
 
-/// Radiance above which an object outshines lit surfaces: the sum of the light sources, or white if radiosity or other objects light the
-/// scene.
+/// Radiance above which an object outshines lit surfaces, which are seldom brighter than the sum of the light sources. At most white;
+/// white if radiosity or other objects light the scene.
 double LeastRadiance(const SceneData& scene)
 {
     double lights = 0.0;

@@ -1,6 +1,9 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
+/// @file tilt_lens_emitters.h
+/// The bright objects of a scene, for emitter sampling.
+
 #ifndef POVRAY_BACKEND_TILT_LENS_EMITTERS_H
 #define POVRAY_BACKEND_TILT_LENS_EMITTERS_H
 
@@ -15,8 +18,9 @@ namespace pov
 class Camera;
 class SceneData;
 
-/// Finite objects whose own finish (`emission` and `ambient`, with the pigment) outshines lit surfaces, relative to the camera's location.
-/// Parts of unions count separately, other CSG as a whole. Errors of brightness only change the number of samples.
+/// Finite objects whose own finish (`emission` and `ambient`, with the pigment) outshines lit surfaces, relative to the camera's
+/// location. Parts of unions count separately, other CSG as a whole; plain textures by their brightest layer, texture maps not. Errors of
+/// brightness only change the number of samples.
 std::vector<tilt_lens::Emitter> EmittersOf(const SceneData& scene, const Camera& camera);
 
 } // namespace pov
