@@ -21,8 +21,9 @@ class SceneData;
 /// Completes the camera's statement, and solves its lens.
 ///
 /// - Object: first intersection with the ray from the lens centre to its bounding box's centre, even behind other objects; else the next
-///   of 1024 rays around it.
-/// - Place in the picture: first intersection of its chief ray with a visible surface. Iterated if focusing changes the angle of view.
+///   of 1024 rays around it, by growing angle.
+/// - Place in the picture: first intersection of its chief ray with a visible surface, transparent or not. Iterated if focusing changes
+///   the angle of view.
 ///
 /// @param scene  completely parsed
 /// @param width  of the whole picture, pixels
