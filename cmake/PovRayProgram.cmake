@@ -48,8 +48,8 @@ add_library(povray_core OBJECT ${povray_core})
 target_link_libraries(povray_core PRIVATE povray_settings)
 target_compile_options(povray_core PRIVATE -w)
 
-# Upstream's headers are most of a compilation, so its files are compiled some at a time. Except where names clash (shapes) or a header has
-# no guard (parser), where the fuzzers replace functions at the link (povms, scene), and for files that fixes bring.
+# Upstream's headers take most of a compilation, so several files are compiled together. Not those whose names clash (shapes), that
+# include a header without a guard (parser), whose functions the fuzzers replace at the link (povms, scene), or that fixes add.
 set_target_properties(povray_core PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
 set(povray_alone ${povray_core})
 list(FILTER povray_alone INCLUDE REGEX "/backend/(shape|parser)/|/base/povms\\.cpp$|/backend/scene/scene\\.cpp$")
@@ -66,7 +66,7 @@ set(povray_checks_stack ${povray_core})
 list(FILTER povray_checks_stack INCLUDE REGEX "/backend/parser/")
 set_source_files_properties(${povray_checks_stack} PROPERTIES COMPILE_OPTIONS "${TILT_LENS_CHECK_STACK}")
 
-# vfe's two macros of installation folders become a run-time answer.
+# Replaces vfe's two macros of installation folders, which the program finds at run time.
 add_library(povray_vfe OBJECT ${povray_vfe})
 target_link_libraries(povray_vfe PRIVATE povray_settings)
 target_compile_options(povray_vfe PRIVATE -w ${TILT_LENS_CHECK_STACK} "SHELL:-include vfe/unix/install_folders.h")

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Prints the processor time of each test: python3 -m tests.processor_times [OPTION OF CTEST...].
 
-Tests of more than 15 s belong to slow_tests() in tests/CMakeLists.txt. Never fails: processor time depends on machine and load.
+Tests of more than 15 s belong to slow_tests() in tests/CMakeLists.txt.
 """
 
 import json

@@ -2,8 +2,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """A private Slurm cluster on loopback, owned by this user, in one folder.
 
-It ignores the machine's configuration: daemons see a host name of their own (libnss-wrapper), and use no control groups, which a
-container may lack. It ends only its own processes, while their numbers belong to them.
+Daemons see a host name of their own (libnss-wrapper), and use no control groups, which a container may lack.
 """
 
 import contextlib
@@ -57,7 +56,7 @@ NO_CONTROL_GROUPS = "CgroupPlugin=cgroup/v1\nCgroupMountpoint={folder}/cgroup\n"
 
 
 def started_at(pid):
-    """In ticks since the machine's start; None if ended."""
+    """Start of a process, in ticks since the machine's start; None if ended."""
     try:
         fields = pathlib.Path(f"/proc/{pid}/stat").read_text(encoding="ascii", errors="replace").rpartition(")")[2].split()
     except OSError:
@@ -80,7 +79,7 @@ def parent_of(pid):
 
 
 def free_ports(count):
-    """Below those that the system assigns itself."""
+    """Free ports below those that the system assigns itself."""
     for first in range(10000 + os.getpid() % 20000, 32768, count):
         with contextlib.ExitStack() as stack:
             try:
@@ -131,7 +130,7 @@ class Cluster:
         (self.folder / "hosts").write_text(f"127.0.0.1 {HOST}\n", encoding="ascii")
 
     def daemon(self, name, *command):
-        """It ends with this process, even if this process is killed."""
+        """Starts a daemon that ends with this process, even if this process is killed."""
         env = dict(self.env, LD_PRELOAD="libnss_wrapper.so", NSS_WRAPPER_HOSTS=f"{self.folder}/hosts", NSS_WRAPPER_HOSTNAME=HOST)
         with open(self.folder / "log" / f"{name}.out", "ab") as log:
             process = subprocess.Popen(
@@ -183,7 +182,7 @@ class Cluster:
             time.sleep(0.1)
 
     def job_processes(self, node, daemon):
-        """Without the node's own, `daemon`."""
+        """Processes of the node's jobs, without its `daemon`."""
         mine = {f"SLURMD_NODENAME={node}".encode(), f"SLURM_CONF={self.folder}/slurm.conf".encode()}
         jobs = [int(name) for name in os.listdir("/proc") if name.isdigit() and mine <= set(environment_of(name))]
         parents = {parent_of(pid) for pid in jobs} - set(jobs) - {0, 1, os.getpid()}
@@ -191,7 +190,7 @@ class Cluster:
         return steps + jobs
 
     def kill_node(self, node):
-        """As a power failure does. Returns the jobs' processes."""
+        """Fails a node as a power failure does. Returns the jobs' processes."""
         process, _ = self.processes.pop(node)
         found = self.job_processes(node, process.pid)
         for pid in [process.pid, *found]:
@@ -201,7 +200,6 @@ class Cluster:
         return found
 
     def stop(self):
-        """Jobs first, so that none is left."""
         if "slurmctld" in self.processes:
             self.run("scancel", "--me")
             with contextlib.suppress(AssertionError):

@@ -1,6 +1,5 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Running POV-Ray: command line, environment, limits, files."""
 
 import atexit
 import dataclasses
@@ -19,7 +18,7 @@ INCLUDE = ROOT / "scenes" / "include"
 NO_SETTINGS = ROOT / "tools" / "no_settings.ini"
 DISPLAYS = ("DISPLAY", "WAYLAND_DISPLAY")
 USER_SETTINGS = ("POVINI", "POVINC", *DISPLAYS)
-# Seconds until a run counts as hanging; far more than any test takes, because the machine may be busy.
+# Seconds until a run counts as hanging; far more than any test takes.
 PATIENCE = 600
 # upstream keeps parsed objects until the end
 WITHOUT_LEAKS = {"ASAN_OPTIONS": "detect_leaks=0"}
@@ -35,7 +34,7 @@ class UnreadablePicture(Exception):
 
 
 def quoted(name):
-    """In quotation marks where a character would end it."""
+    """The name, in quotation marks where a character would end it."""
     name = str(name)
     if not re.search(r"[\s;#\"']", name):
         return name
@@ -43,8 +42,10 @@ def quoted(name):
 
 
 def command(program, scene, picture, size, *options, library=(), before=()):
-    """Without window or pause; later options override. @param picture None: none is written; "": named after the scene @param library
-    further include folders @param before user's options; they may antialias, not change scene, picture or size"""
+    """Command line without window or pause; later options override.
+    @param picture  None: none is written; "": named after the scene
+    @param library  further include folders
+    @param before   user's options, which must not change scene, picture or size"""
     output = ["-F"] if picture is None else [f"+O{quoted(picture)}"] if picture else []
     folders = [f"+L{quoted(folder)}" for folder in library]
     return [
@@ -63,17 +64,17 @@ def command(program, scene, picture, size, *options, library=(), before=()):
 
 
 def user_environment(without=USER_SETTINGS, **variables):
-    """Without settings, display or other variables."""
+    """The user's environment without settings, display or other variables."""
     return {**{name: value for name, value in os.environ.items() if name not in without}, **variables}
 
 
 def environment(**variables):
-    """The environment in which POV-Ray reads no INI file at all, with these variables."""
+    """The environment in which POV-Ray reads no INI file, with these variables."""
     return user_environment(**{"POVINI": str(NO_SETTINGS), **variables})
 
 
 def held_to_permissions():
-    """They subject even root to file permissions. Root keeps its name: another user might be unable to read the program."""
+    """Words before a command that subject even root to file permissions."""
     powers = "-dac_override,-dac_read_search"
     return ["setpriv", f"--bounding-set={powers}", f"--inh-caps={powers}"] if os.getuid() == 0 else []
 
@@ -84,7 +85,7 @@ class Done:
     code: int | None  # exit code, or minus the signal; None: ended because of the time limit
     said: str  # standard output and standard error
     cpu: float  # seconds, user and system
-    seconds: float  # elapsed
+    seconds: float
     memory: int  # peak of resident memory, bytes
 
     def told(self):
@@ -98,7 +99,6 @@ class Done:
         return f"{shlex.join(self.command)}\n{ended}\n{self.said[-3000:]}"
 
     def succeeded(self):
-        """This run. Raises Failed if it failed."""
         if self.code != 0:
             raise Failed(self.told())
         return self
@@ -134,7 +134,7 @@ def run(words, folder=None, env=None, limit=PATIENCE, **how):
 
 
 def sources(scene, folders=()):
-    """From its own folder or the first of `folders` that has them, in order."""
+    """The scene and the files that it includes, from its own folder or the first of `folders` that has them."""
     found = [pathlib.Path(scene)]
     for path in found:
         for name in re.findall(r'#include\s+"([^"]+)"', path.read_text()):
@@ -159,7 +159,7 @@ def whole_messages(data, end=None):
 
 
 class Reader:
-    """Reads many pictures in one process, which starts slowly. A lock keeps question and answer together."""
+    """Reads many pictures in one process, which starts slowly. Thread-safe."""
 
     def __init__(self, compare):
         self.compare = compare
@@ -184,5 +184,4 @@ READERS = {}
 
 
 def pixels(compare, path):
-    """As `compare pixels` writes it. Raises UnreadablePicture."""
     return READERS.setdefault(str(compare), Reader(str(compare))).ask(path)

@@ -60,7 +60,6 @@ struct Range
     std::ptrdiff_t Size() const { return end - begin; }
 };
 
-/// Surface area heuristic along one axis: boxes in bins of equal width, by their centres.
 class Bins
 {
   public:
@@ -76,7 +75,7 @@ class Bins
         }
         start = least;
         scale = most > least ? kNumber / (most - least) : HUGE_VAL;
-        if (!(scale < HUGE_VAL))  // all centres coincide
+        if (!(scale < HUGE_VAL))
             return;
         for (ItemIterator item = range.begin; item != range.end; ++item)
         {
@@ -149,7 +148,7 @@ ItemIterator SplitInHalves(const Range& range)
     return middle;
 }
 
-/// At least two items. Returns the second part's beginning; neither part is empty.
+/// Splits at least two items into two parts, neither of them empty. Returns the second part's beginning.
 ItemIterator Split(const Range& range, bool even)
 {
     if (even)

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file box_hierarchy.h
-/// Bounding volume hierarchy of axis-aligned boxes, eight children per node, built by the binned surface area heuristic (I. Wald, "On
-/// fast Construction of SAH-based Bounding Volume Hierarchies", 2007). The caller intersects rays with its items.
+/// Bounding volume hierarchy of axis-aligned boxes, eight children per node, built by the binned surface area heuristic (I. Wald, "On fast
+/// Construction of SAH-based Bounding Volume Hierarchies", 2007). The caller intersects rays with its items.
 ///
-/// The library speedups/ makes POV-Ray faster and changes no pixel. It knows no camera; of the camera's library it includes
-/// tilt_lens/math/simd.h alone. Below speedups/povray/ are the files at upstream's paths that use it.
+/// The library speedups/ makes POV-Ray faster and changes no pixel. It knows no camera. Below speedups/povray/ are the files at upstream's
+/// paths that use it.
 
 #ifndef SPEEDUPS_BOX_HIERARCHY_H
 #define SPEEDUPS_BOX_HIERARCHY_H
@@ -42,11 +42,10 @@ class BoxHierarchy
         unsigned int entered = 0;
     };
 
-    /// Calls test(item) for each item whose box the ray enters at or before `limit`, a node's nearer children first. The order does
-    /// not depend on Vector.
-    /// @tparam Vector  see BoxRay: Float8 inside functions for AVX2, else Float4
+    /// Calls test(item) for each item whose box the ray enters at or before `limit`, a node's nearer children first.
+    /// @tparam Vector            see BoxRay; does not change the order
     /// @param origin, direction  in the boxes' frame and unit; the direction may have any length but 0
-    /// @param limit  ray parameter, in lengths of the direction; read again after each test, which may lower it
+    /// @param limit              ray parameter, in lengths of the direction; read again after each test, which may lower it
     template<class Vector, class Test>
     Count Walk(const double* origin, const double* direction, const double& limit, const Test& test) const;
 
@@ -73,7 +72,7 @@ class BoxHierarchy
         return {begin[i], node.children[i]};
     }
 
-    /// The nearest child that the ray met; pushes the others on the stack, the nearest on top.
+    /// Returns the nearest child that the ray met; pushes the others on the stack.
     static Waiting TakeNearest(const Node& node, const float* begin, unsigned int met, Waiting*& top, Count& count);
 
     std::vector<Node> nodes;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file box_ray.h
-/// Intersects a ray with eight axis-aligned boxes at a time: the slab method in single precision, rounded conservatively, so that it
-/// reports every box met in exact arithmetic (T. Ize, "Robust BVH Ray Traversal", JCGT 2013).
+/// Intersects a ray with eight axis-aligned boxes at a time: the slab method in single precision, rounded so that no box is missed (T.
+/// Ize, "Robust BVH Ray Traversal", JCGT 2013).
 
 #ifndef SPEEDUPS_BOX_RAY_H
 #define SPEEDUPS_BOX_RAY_H
@@ -23,7 +23,7 @@ struct alignas(32) EightBoxes
     float planes[6][8];
 };
 
-/// Repeated in Vector's lanes: Float8 for AVX2, Float4 for every processor. Both give the same results to the last bit.
+/// Vector is Float8 for AVX2, Float4 for every processor. Both give the same results to the last bit.
 template<class Vector>
 class BoxRay
 {
@@ -42,7 +42,7 @@ class BoxRay
         Float4 leaveFroms = __builtin_convertvector(from - signedMargin, Float4);
         Float4 enterInverses = __builtin_convertvector(inverse * (1.0 - kRounding), Float4);
         Float4 leaveInverses = __builtin_convertvector(inverse * (1.0 + kRounding), Float4);
-        // into memory: broadcasting a number from there takes one instruction, from a lane two
+        // through memory: broadcasting a number from there takes one instruction, from a lane two
         asm volatile("" : "+m"(enterFroms), "+m"(leaveFroms), "+m"(enterInverses), "+m"(leaveInverses));
         for (int axis = 0; axis < 3; axis++)
         {
@@ -68,7 +68,7 @@ class BoxRay
     }
 
   private:
-    /// A product has at most three roundings (origin, inverse, product) of 2^-24 each; this allows for eight.
+    /// Allows for eight roundings of 2^-24 each, more than occur.
     static constexpr double kRounding = 4.8e-7;
     /// Keeps a ray along a plane at 0 inside the slab.
     static constexpr double kLeastMargin = 1e-15;
@@ -78,7 +78,6 @@ class BoxRay
     Vector enterFrom[3], leaveFrom[3], enterInverse[3], leaveInverse[3];
     std::ptrdiff_t enterPlanes[3], leavePlanes[3];  ///< byte offsets in EightBoxes
 
-    /// As many as Vector has lanes, from `first`.
     TILT_LENS_INLINED unsigned int EnterSome(const EightBoxes& boxes, float limit, float* begin, std::size_t first) const
     {
         const char* const from = reinterpret_cast<const char*>(&boxes) + first * sizeof(float);

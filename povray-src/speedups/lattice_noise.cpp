@@ -5,7 +5,7 @@
 
 #include <cstring>
 
-/// Four of two registers' eight numbers. GCC 11 has its own function for it.
+/// GCC 11 has its own function for it.
 #if __has_builtin(__builtin_shufflevector)
 #define TILT_LENS_CHOOSE(a, b, ...) __builtin_shufflevector(a, b, __VA_ARGS__)
 #else
@@ -15,7 +15,6 @@
 namespace speedups
 {
 
-/// Hashed gradients and blending weights of a lattice cell's corners.
 struct LatticeNoise::Cell
 {
     Double4 from, to;     ///< point relative to the lower corner, and to the upper one
@@ -65,11 +64,10 @@ TILT_LENS_FOR_AVX2 double LatticeNoise::At(const double* point, bool wide) const
     for (int level = 0; level < 2; level++)
     {
         const double z = (level == 0 ? cell.from : cell.to)[2];
-        // transposed: from corner after corner to component after component
         const int* const gradients = cell.gradients[level];
         const auto numbers = [&](int i) TILT_LENS_FOR_AVX2 -> Double4
         {
-            Double4 corner;  // no Load(): clang forbids a function without AVX to return such a register to one with it
+            Double4 corner;  // clang forbids returning such a register from a function without AVX
             std::memcpy(&corner, row + gradients[i], sizeof(corner));
             return corner;
         };

@@ -3,7 +3,7 @@
 
 /// @file lattice_noise.h
 /// POV-Ray's scalar noise (generators 1 and 2) and vector noise for AVX2: gradient noise on a lattice (K. Perlin, "An Image Synthesizer",
-/// 1985). Axes, components or corners are computed side by side, each with POV-Ray's operations in their order: equal to the last bit.
+/// 1985). POV-Ray's operations keep their order, so results are equal to the last bit.
 
 #ifndef SPEEDUPS_LATTICE_NOISE_H
 #define SPEEDUPS_LATTICE_NOISE_H
@@ -28,9 +28,9 @@ class LatticeNoise
     /// If false, do not call At() and VectorAt().
     bool Ready() const { return hashes != nullptr; }
 
-    /// In [0, 1].
     /// @param point  three coordinates
     /// @param wide   generator 2, which uses the whole range; else generator 1
+    /// @return       in [0, 1]
     double At(const double* point, bool wide) const;
 
     /// @param point, vector  three numbers each; may be the same array
@@ -39,7 +39,6 @@ class LatticeNoise
   private:
     struct Cell;
 
-    /// Offset of a corner's gradient in `row`; four numbers per component.
     int Gradient(int hash, int z) const { return hashes[hash ^ z] & 0xFF; }
 
     const unsigned short* hashes = nullptr;

@@ -1,9 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// @file read_number.h
-/// Parses decimal numbers for the scene parser.
-
 #ifndef SPEEDUPS_READ_NUMBER_H
 #define SPEEDUPS_READ_NUMBER_H
 
@@ -14,7 +11,7 @@
 namespace speedups
 {
 
-/// Sets value to the double nearest to the decimal number in [begin, end), before a zero byte. Equals sscanf's result, in a tenth of the
+/// Sets value to the double nearest to the decimal number in [begin, end), before a zero byte. Same result as sscanf in a tenth of the
 /// time.
 /// @return  false, value unchanged, if there is no number
 inline bool ReadNumber(const char* begin, const char* end, double* value)

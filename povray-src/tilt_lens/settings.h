@@ -3,7 +3,7 @@
 
 /// @file settings.h
 /// All constants of the sampler, the emitter sampling and the reconstruction, with units. Sections are those of docs/sampling.md; its
-/// section 8 lists the evidence: the error without each constant, or the reason for its value.
+/// section 8 gives the error without each constant, or the reason for its value.
 
 #ifndef TILT_LENS_SETTINGS_H
 #define TILT_LENS_SETTINGS_H
@@ -14,30 +14,27 @@
 namespace tilt_lens
 {
 
-/// A constant is `static constexpr` if it sets the size of arrays or affects no picture; the ablation varies the others.
+/// A constant is `static constexpr` if it sizes arrays or affects no picture; the ablation varies the others.
 struct Settings
 {
     /// @name Windows and blocks, in pixels unless said otherwise
     /// @{
-    /// Side of a block: the pixels that are sampled and reconstructed together, on a grid fixed to the whole picture.
+    /// Side of a block: pixels that are sampled and reconstructed together, on a grid fixed to the whole picture.
     static constexpr std::uint32_t blockSide = 16;
-    /// Distance, in blocks, of the farthest block that a pixel depends on (section 7): filters need converged neighbours, and the stop
-    /// rule of these needs the first rounds of their neighbours.
+    /// Distance, in blocks, of the farthest block that a pixel depends on (section 7).
     static constexpr std::int64_t dependencyRadius = 2;
-    /// Rows of blocks, counted from the first unfinished one, in which an idle thread may work ahead: two rows of tiles of the usual
-    /// size and the blocks that they depend on. Affects no picture.
+    /// Rows of blocks, counted from the first unfinished one, in which an idle thread may work ahead. Affects no picture.
     static constexpr std::int64_t windowRows = 6;
-    /// Radius of the 3 by 3 window whose sample variances are averaged (section 3).
+    /// Radius of the window whose sample variances are averaged (section 3).
     static constexpr int neighbourRadius = 1;
     static constexpr int neighbourhoodPixels = (2 * neighbourRadius + 1) * (2 * neighbourRadius + 1);
     /// Radius of the longest filters (section 5).
     static constexpr int filterRadius = 4;
-    /// Radius of the 7 by 7 window over which risks are averaged, and of the 3 by 3 window in which they count in full (section 5).
+    /// Radii of the window over which risks are averaged, and of the window in which they count in full (section 5).
     static constexpr int riskRadius = 3, nearRiskRadius = 1;
-    /// Distance of the farthest pixel that a sample is spread to, along rows and columns (section 5).
+    /// Farthest row or column that a sample is spread to (section 5).
     static constexpr int spreadReach = 7;
-    /// Greatest number of a pixel's samples that are spread to other pixels: its first. More would cost more time than the rays they
-    /// save.
+    /// A pixel spreads this number of samples to others, its first; more would cost more time than the rays they save.
     std::uint32_t mostSentSamples = 32;
     /// Cells in a row and in a column of the density table of an aperture that is not a disc.
     static constexpr int densityCells = 64;
@@ -45,11 +42,10 @@ struct Settings
 
     /// @name First round
     /// @{
-    /// Samples of a pixel's first round if the scene does not state MIN (section 1): the first number with reconstruction and emitter
-    /// sampling; the second without, because four samples miss small lamps too often.
+    /// Samples of a pixel's first round if the scene does not state MIN (section 1), with and without reconstruction and emitter sampling.
     static constexpr std::uint32_t firstSamples = 4, firstSamplesAlone = 8;
-    /// The first round of a block is doubled, up to mostFirstSamples (section 1), while at least farShare of its pixels need more than
-    /// farFactor times the samples taken.
+    /// The first round of a block is doubled up to this (section 1), while at least farShare of its pixels need more than farFactor times
+    /// the samples taken.
     static constexpr std::uint32_t mostFirstSamples = 16;
     double farShare = 0.25, farFactor = 8.0;
     /// Rounds up to this number of samples double them (section 1).
@@ -60,7 +56,7 @@ struct Settings
     /// @{
     /// Iterations that solve for the variance ratio of the mean (section 3).
     static constexpr int ratioIterations = 4;
-    /// Upper bound of risks; NaN is replaced with it, too (section 5). The sum of 49 such risks is a finite float.
+    /// Upper bound of risks, also for NaN (section 5). The sum of 49 such risks is a finite float.
     static constexpr float greatestFiniteRisk = 1e12f;
     /// Camera rays computed together in vector registers: 4, 8 or 16. Affects no picture.
     static constexpr std::uint32_t cameraRaysOfBatch = 8;
@@ -70,11 +66,9 @@ struct Settings
 
     /// @name Estimator of a pixel's variance (section 3)
     /// @{
-    /// Weight of a quadrant's variance ratio of the previous round against that of this round, in equally noisy pixels. The first ratio
-    /// is 1, so quadrants with few noisy pixels keep a ratio on the safe side.
+    /// Weight of a quadrant's variance ratio of the previous round against that of this round, in equally noisy pixels.
     double varianceRatioPrior = 16.0;
-    /// A pixel keeps its own variance ratio if it exceeds that of its quadrant by this factor: otherwise filters would take the pixel
-    /// for exact.
+    /// A pixel keeps its own variance ratio if it exceeds that of its quadrant by this factor.
     double outlyingRatio = 4.0;
     /// @}
 
@@ -91,18 +85,16 @@ struct Settings
     static constexpr int highlightIterations = 4;
     /// Points on a circle around the aperture from which the bounding box of an emitter's circle of confusion is computed.
     static constexpr int blurBoxPoints = 16;
-    /// Greatest number of bins in a row or column of the picture; least side of a bin, in pixels; greatest number of emitters in a bin,
-    /// the brightest.
+    /// Greatest number of bins in a row or column of the picture; least side of a bin, pixels; greatest number of emitters in a bin.
     static constexpr std::uint32_t emitterBins = 64, leastEmitterBinSide = 8;
     static constexpr std::size_t emittersOfBin = 1024;
     /// Blur, in pixels, above which the lens point is importance-sampled; below, the film point.
     double lensPointBlur = 1.5;
     /// Share of a pixel's samples that is aimed at emitters: a multiple of 1 / emitterStratum.
     double emitterShare = 0.5;
-    /// Greatest number of emitters that a pixel's samples are aimed at: the brightest. 0: no emitter sampling.
+    /// Greatest number of emitters that a pixel's samples are aimed at: the brightest. 0: none.
     std::uint32_t emittersOfPixel = 16;
-    /// Emitter samples that must miss before the emitter is taken for hidden: an object fills only a part of its bounding sphere, and
-    /// this part may lie in two pixels.
+    /// Emitter samples that must miss before the emitter counts as hidden: an object fills only a part of its bounding sphere.
     std::uint32_t hiddenEmitterSamples = 16;
     /// @}
 
@@ -116,7 +108,7 @@ struct Settings
     float chanceRisk = 2.0f;
     /// Weight of a spread estimate made of other pixels' samples alone, relative to a filter with the same risk.
     float spreadWeight = 8.0f;
-    /// Additional factor of this weight if other pixels' samples show all of the noise, and the pixel's own samples none.
+    /// Additional factor of this weight if only other pixels' samples show the noise.
     float missedWeight = 100.0f;
     /// A row of a block is reconstructed if its mean variance over `variance` is at least this.
     double leastRowVariance = 1.0 / 32.0;
@@ -124,7 +116,7 @@ struct Settings
 
     /// @name Forecast of the reconstruction in the stop rule (section 6)
     /// @{
-    /// Rays per pixel of a block that a forecast must save: about the cost of computing it.
+    /// Rays per pixel of a block that a forecast must save: about its cost.
     double forecastCost = 2.0;
     /// @}
 };

@@ -1,6 +1,5 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Shared by the tests of ./batch."""
 
 import argparse
 import contextlib
@@ -22,7 +21,6 @@ from tools.repository import ROOT
 
 SETTINGS = argparse.Namespace(povray=None)
 
-# A tilt_lens scene; Samples sets its cost, clock moves the ball.
 LENS = """#version 3.7;
 global_settings { assumed_gamma 1 }
 #ifndef (Tilt) #declare Tilt = 4; #end

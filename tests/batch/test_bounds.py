@@ -9,7 +9,7 @@ from tests.batch.calls import LENS, SETTINGS, BatchTest
 from tests.waiting import PATIENCE
 
 SIZE = ("+W48", "+H40", "+WT1")
-LIMIT = 30  # seconds for a sleeping program, on a busy machine
+LIMIT = 30  # seconds for a sleeping program
 
 
 class Limits(BatchTest):

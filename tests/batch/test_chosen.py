@@ -42,11 +42,11 @@ class Chosen(BatchTest):
 
 
 class Longer(BatchTest):
-    FRAME = LENS.replace("2*clock", "0.2*frame_number")  # has the same frames in a longer film
+    FRAME = LENS.replace("2*clock", "0.2*frame_number")
     FILM = ("film", "scene.pov", *SIZE)
 
     def stays(self, *longer):
-        """Makes a film of two frames, then more; True if the first two were kept."""
+        """True if a longer film keeps the first two frames."""
         pictures = [self.folder / "scene_film" / f"scene000{n}.png" for n in (1, 2)]
         times = [path.stat().st_mtime_ns for path in pictures]
         self.assertIn("4 of 4 pictures", self.batch(*self.FILM, *longer))

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Pictures joined from bands equal those of one render. Bands of scenes whose pixels depend on the rows are refused."""
+"""Bands joined to a picture equal one render, or are refused if the scene's pixels depend on the rows."""
 
 import os
 import time
@@ -48,7 +48,7 @@ class Exact(BatchTest):
 class NotCut(BatchTest):
     def test_pixels_that_depend_on_their_rows_are_refused(self):
         for text, said in ((RADIOSITY, "radiosity"), (JITTER, "jitter"), (STOCK, "rendered with them")):
-            words = ("+AM1", "+A0.1") if text is STOCK else ()  # unaligned bands of stock's anti-aliasing
+            words = ("+AM1", "+A0.1") if text is STOCK else ()
             bands = 7 if text is STOCK else 2
             told = self.batch("still", self.scene(text), "--bands", bands, "--anew", *SIZE, *words, code=1)
             self.assertIn(said, told)

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Faults in mid-render: after each, a second call finishes the picture of a single render."""
+"""After a fault in mid-render, a second call finishes the picture of a single render."""
 
 import os
 import pathlib
@@ -113,7 +113,7 @@ class Failing(BatchTest):
         self.assertEqual(sorted(os.listdir(self.folder / "scene_film")), ["scene0001.png", "scene0003.png"])
 
     def test_tries_are_bounded(self):
-        # a stand-in that renders, but is killed in the batch proper
+        # renders, but is killed in the batch proper
         self.stand_in(f'case $PWD in */units/*) kill -9 $$ ;; esac\nexec {shlex.quote(calls.SETTINGS.povray)} "$@"')
         words = ("still", self.scene(LENS), "--bands", 1, "--retries", 2, "+W48", "+H40")
         self.assertIn("was ended by signal 9", self.batch(*words, code=1))
@@ -124,7 +124,7 @@ class Failing(BatchTest):
         scene = self.scene(LENS)
 
         def little_room():
-            # 40 KB per file: the records fit, the state file of a band does not
+            # 40 KB per file: the records fit, a band's state file does not
             signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
             resource.setrlimit(resource.RLIMIT_FSIZE, (40000, 40000))
 

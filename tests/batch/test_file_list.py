@@ -1,6 +1,5 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The list of files that a render reads (TILT_LENS_FILE_LIST)."""
 
 import os
 import subprocess

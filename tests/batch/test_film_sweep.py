@@ -39,7 +39,6 @@ class Sweep(BatchTest):
         for tilt, samples in ((-6, 4), (0, 16)):
             whole = self.whole(scene, self.folder / "w.png", "+FN", *SIZE, f"Declare=Tilt={tilt}", f"Declare=Samples={samples}")
             self.assert_same(folder / f"scene_Tilt={tilt}_Samples={samples}.png", whole)
-        # six pixels between
         self.assertEqual(picture(folder / "scene_sheet.png")[:2], (2 * 64 + 6, 3 * (48 + 26) + 2 * 6))
 
     def test_sheet_of_exr(self):

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""On a private Slurm cluster of three nodes, a POV-Ray, a task's shell and a node are killed; the pictures equal single renders."""
+"""On a private Slurm cluster, a POV-Ray, a task's shell and a node are killed; the pictures equal single renders."""
 
 import os
 import signal
@@ -19,8 +19,6 @@ SLOWER = (*SLOW[:2], "Declare=Samples=800", "Output_Layers=on")  # so that a ban
 
 
 class OnSlurm(BatchTest):
-    """Tests share one cluster, one at a time."""
-
     @classmethod
     def setUpClass(cls):
         folder = tempfile.TemporaryDirectory(prefix="slurm.")
@@ -164,7 +162,7 @@ def node_of(pid):
 
 
 def main():
-    """A cluster must not need root: as an ordinary user if that user can run the programs under test."""
+    """The cluster must work without root, so tests run as an ordinary user where possible."""
     rest = calls.read_settings()
     user = ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups", "--pdeathsig=KILL"]
     program = module_command("tests.batch.test_on_slurm", "--povray", SETTINGS.povray)

@@ -44,7 +44,7 @@ class OutputLock(unittest.TestCase):
         self.assertEqual(self.taken_by("second", jobs.__contains__), "first")
         self.assertIsNone(self.taken_by("first", jobs.__contains__), "the same batch again")
         self.assertEqual(self.lock.read_text(), "first")
-        jobs.clear()  # they were cancelled
+        jobs.clear()
         self.assertIsNone(self.taken_by("second", jobs.__contains__))
         self.assertFalse(self.lock.exists())
 
@@ -81,7 +81,6 @@ class TimeLeft(unittest.TestCase):
 
 class Clocks(unittest.TestCase):
     def test_as_pov_ray_computes_them(self):
-        """In single precision."""
         self.assertEqual([Clock(["+W3"], 3).of(n) for n in (1, 2, 3)], [0.0, 0.5, 1.0])
         self.assertEqual([Clock(["+KI1", "Final_Clock=7"], 4).of(n) for n in (1, 2, 3, 4)], [1.0, 3.0, 5.0, 7.0])
         self.assertEqual(Clock([], 4).of(2), 0.3333333432674408)

@@ -267,7 +267,7 @@ class ProgressLine(unittest.TestCase):
             size = os.terminal_size((columns, 24))
             with unittest.mock.patch.object(os, "get_terminal_size", lambda _: size):
                 line.show()
-                line.show()  # too soon after the first
+                line.show()
                 line.show(final=True)
         return stream.getvalue()
 
@@ -315,7 +315,6 @@ class Records(unittest.TestCase):
 
 class Interrupted(unittest.TestCase):
     def test_before_the_wait_begins(self):
-        """Interrupting a call that found an earlier one's jobs prints how to cancel them."""
         said = io.StringIO()
         with tempfile.TemporaryDirectory() as name, unittest.mock.patch.object(
             progress, "Progress", side_effect=KeyboardInterrupt

@@ -1,6 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Error measurement of pictures whose errors are known: test_noise TOOL."""
+"""Error measurement of pictures whose errors are known.
+
+usage: test_noise TOOL"""
 
 import json
 import pathlib

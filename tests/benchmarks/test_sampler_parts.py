@@ -1,6 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The benchmark's parts about the sampler, with known results and tiny pictures: test_sampler_parts PROGRAM TOOLS."""
+"""The benchmark's parts about the sampler, with known results and tiny pictures.
+
+usage: test_sampler_parts PROGRAM TOOLS"""
 
 import dataclasses
 import pathlib
@@ -28,7 +30,6 @@ class Allocation(unittest.TestCase):
         self.assertEqual((points[0], points[-1]), ((2.0, 4.0 / 200), ((8 + 2) / 2, 1.0 / 200)))
 
     def test_luck_is_not_taken_for_knowledge(self):
-        # other sample counts in each half
         even = {2: [[0.0], [0.0], [10.0], [10.0]], 4: [[10.0], [10.0], [0.0], [0.0]]}
         self.assertEqual(min(error for _, error in allocation.ideal(even, [10])), 1.0)
 
@@ -127,7 +128,7 @@ class FoundLamps(unittest.TestCase):
         small, large = rows
         self.assertEqual((small["radius"], large["radius"]), (0.04, 0.08))
         self.assertTrue(0.8 < large["fixed_kept"] < 1.2 and large["disc_pixels"] > 20, large)
-        self.assertLess(large["fixed_dark"], small["fixed_dark"])  # smaller lamps are met by fewer samples
+        self.assertLess(large["fixed_dark"], small["fixed_dark"])
         self.assertAlmostEqual(large["fixed"], large["samples"], delta=0.5)
         with unittest.mock.patch.object(found_lamps, "QUICK_SIZE", (40, 30)):
             self.lab.render = lambda *_: self.fail("rendered again")

@@ -1,6 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The benchmark in miniature: test_small_run PROGRAM TOOLS. All methods of blur approach the same picture; times are not tested."""
+"""The benchmark in miniature: all methods of blur approach the same picture. Times are not tested.
+
+usage: test_small_run PROGRAM TOOLS"""
 
 import copy
 import dataclasses
@@ -93,7 +95,7 @@ class SmallRun(unittest.TestCase):
         many = suite.limits(256, 256, 0)
         for binary, form in ((self.lab.ours, TILT_LENS), (self.lab.stock, STOCK)):
             record = self.lab.run(binary, scene.shot(form, declare=many), cut)
-            self.assertLess(record["mse"], 5e-4, form)  # the noise of stock
+            self.assertLess(record["mse"], 5e-4, form)
             self.assertGreater(record["rays"], 0.0)
         wrong = dataclasses.replace(LARGE, left=LARGE.left + 3)
         moved = self.lab.run(self.lab.ours, dataclasses.replace(scene, part=wrong).shot(TILT_LENS, declare=many), cut)
@@ -136,7 +138,7 @@ class SmallRun(unittest.TestCase):
             self.assertLess(record["rmse"], 0.08, f"tilted {tilt}")
 
     def test_reconstruction_brings_a_ratio_and_a_small_bias(self):
-        # rays, because callgrind takes long
+        # counts rays, because callgrind takes long
         rows = reconstruction.measure(self.lab, SCENE, lambda lab, program, shot: lab.run(program, shot).get("samples", 0))
         self.assertEqual(len(rows), 2 * len(reconstruction.VARIANCES[:3]))
         self.assertTrue(all(0.5 < ratio < 3.0 for ratio in reconstruction.compare(rows).values()), rows)

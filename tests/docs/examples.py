@@ -124,11 +124,11 @@ def check_command(povray, place, command, names, folder):
         return []
     scene, options = ROOT / wanted[0], wanted[1]
     if any(word.startswith("+L") and not (ROOT / word[2:]).is_dir() for word in options):
-        return []  # needs files that another command fetches
+        return []
     if not scene.is_file():
         return [f"{place}: {command}: there is no scene {wanted[0]}"]
     if scene.parent == gallery.SCENES and not options:
-        return []  # the tests of the gallery render it, and larger
+        return []  # tested by the gallery
     code, said = run(povray, folder, scene, options, [scene.parent])
     return [] if code == 0 else [f"{place}: {command}: exit code {code}\n{said[-1500:]}"]
 

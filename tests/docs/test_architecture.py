@@ -111,7 +111,6 @@ class Checker(unittest.TestCase):
 
 
 def folders_of(folder):
-    """Under version control, or in an unpacked archive."""
     if (ROOT / ".git").exists() and shutil.which("git"):
         listed = subprocess.run(
             ["git", "ls-tree", "-d", "--name-only", "HEAD", f"{folder}/"], cwd=ROOT, capture_output=True, text=True, check=False

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Manual, manual page and editors have the parser's items, values, units and ranges; Vim (if installed) colours them."""
+"""Manual, manual page and editors have the parser's items, values, units and ranges; Vim colours them."""
 
 import argparse
 import functools

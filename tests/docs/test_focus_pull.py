@@ -16,7 +16,7 @@ EYE = "<0, 1.6, -6>"
 POINT = f"focal_point Tilt_Lens_Pull_Point(clock, {EYE}) "
 PULL = f"Tilt_Lens_Pull(clock, {EYE})"
 
-# an upright plane through infinity to one that leans backward; swing to the left
+# from an upright plane through infinity to one that leans backward; swing to the left
 ANGLES = ((0, 2.8, 0, 0, (0, 1, -2)), (0.3, 4, 6, 0, (0, 0, 2)), (0.7, 16, -4, 3, (3, 2, 40)), (1, 5.6, 8, -5, (-1, 0.2, -3)))
 # parallel to the film, then the ground, then a wall on the left
 PLANES = (
@@ -40,14 +40,14 @@ def film(before, camera, frames, eye=EYE):
     job = rendering.Job(scene, ("-F", "+KFI0", f"+KFF{frames - 1}"), width=8, height=6)
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as folder:
         code, said = job.attempt(pathlib.Path(folder))
-    lenses = [Lens(part) for part in re.split("^Tilt Lens$", said, flags=re.MULTILINE)[1:]]  # one report a frame, in their order
+    lenses = [Lens(part) for part in re.split("^Tilt Lens$", said, flags=re.MULTILINE)[1:]]  # one report a frame
     if code != 0 or len(lenses) != frames:
         raise AssertionError(f"exit code {code}, {len(lenses)} frames\n{job.told()}{said[-1500:]}")
     return lenses
 
 
 def plane(lens, eye=(0, 1.6, -6)):
-    """The vector in which blur is linear: the plane's normal divided by its distance from the lens."""
+    """The plane's normal divided by its distance from the lens; blur is linear in it."""
     distance = sum(n * (p - e) for n, p, e in zip(lens.normal, lens.point, eye))
     return [n / distance for n in lens.normal]
 

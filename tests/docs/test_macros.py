@@ -90,12 +90,11 @@ class Macros(rendering.RenderTest):
                 self.assert_close(found, min(sides[0], sides[1] * width / height), 1e-5, f"{name}, {width} x {height}")
 
     def test_film_width_reaches_the_lens(self):
-        """At 90 degrees, the film is half its width away."""
         lens = report(self.VIEW + "angle 90 tilt_lens { film_width Tilt_Lens_Film_Width(Tilt_Lens_Film_4x5) f_stop 8 }", size=(24, 36))
         self.assert_close(lens.focal[1], 127 * 24 / 36 / 2, 1e-4, "film's distance")
 
     def test_lenses(self):
-        """The manual's table; warnings beyond its limits only."""
+        """Each lens of the manual's table warns beyond its limits only."""
         rows = table(ROOT / "docs" / "manual.md", "#### Lenses")
         self.assertEqual(len(rows), 9)
         for macro, _, focal, stop, tilt, shift in rows:
@@ -122,7 +121,7 @@ class Macros(rendering.RenderTest):
                 self.assertIn(words, said, macro)
 
     def test_lenses_of_glass(self):
-        """The manual's table, stopped down and wide open."""
+        """Each lens of the manual's table, stopped down and wide open."""
         rows = table(ROOT / "docs" / "manual.md", "#### Lenses of glass")
         text = (ROOT / "scenes" / "include" / "tilt_lens.inc").read_text()
         files = {path.name for path in (ROOT / "scenes" / "include" / "lenses").iterdir()} - {"lenses.csv"}

@@ -15,7 +15,7 @@ BATCH = 500
 
 @dataclasses.dataclass
 class Outcome:
-    kind: str  # of the grammar
+    kind: str
     text: str
     answer: str  # "lens", "none", "error ...", "wrong ...", or "crash ..."
 

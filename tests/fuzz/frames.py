@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Accepted blocks rendered as frames of an animation: pictures with finite values."""
+"""Accepted blocks, rendered as frames of an animation, have finite values."""
 
 import pathlib
 import re

@@ -99,7 +99,6 @@ class Grammar:
         self.random = random.Random(seed)
 
     def number(self, low, high):
-        """The number is sometimes an expression."""
         r = self.random
         value = r.uniform(low, high)
         text = r.choice((f"{value:.3g}", f"{value:.6f}", f"{value:.17g}", f"{value:.2e}"))

@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Kept inputs: corpus/ reaches all code reached so far, regressions/ once failed. Each has solver.json and may have prescription.json
-(base 64), and parser.json (texts)."""
+"""Kept inputs: corpus/ reaches all code reached so far, regressions/ once failed. Each has solver.json and may have prescription.json (base
+64), and parser.json (texts)."""
 
 import base64
 import json

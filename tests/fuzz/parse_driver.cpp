@@ -30,7 +30,7 @@ static_assert(std::has_virtual_destructor<pov_frontend::ShelloutProcessing>::val
 // set, it makes a thread destroy data of the task's thread
 static_assert(std::is_same<decltype(pov::Task::done), std::atomic<bool>>::value);
 
-ParseOutcome* current = nullptr;  ///< one scene is parsed at a time
+ParseOutcome* current = nullptr;
 int sceneFile = -1;
 
 void Catch(POVMSObjectPtr message)
@@ -144,7 +144,7 @@ ParseOutcome Parse(const std::string& scene)
         finish.Wait();
         parser.Stop();
         const pov::Camera& camera = data->parsedCamera;
-        // focus found by rays: at the begin of the render
+        // rays find such a focus when the render begins
         if (outcome.errors.empty() && camera.TiltLens.given && camera.TiltLens.IsComplete())
         {
             outcome.lens = true;

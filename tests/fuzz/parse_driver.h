@@ -14,7 +14,7 @@ struct ParseOutcome
 {
     std::vector<std::string> errors;
     std::vector<std::string> warnings;
-    bool lens = false;                  ///< solved
+    bool lens = false;
     std::string broken;                 ///< a ray that is not finite
 };
 

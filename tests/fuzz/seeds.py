@@ -1,9 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""First inputs of libFuzzer: cameras for solver_fuzz, files for prescription_fuzz.
-
-Fields in the order of StatementFrom() in solver_fuzz.cpp.
-"""
+"""First inputs of libFuzzer: cameras for solver_fuzz, with fields in the order of its StatementFrom(), and files for prescription_fuzz."""
 
 import shutil
 import struct

@@ -49,7 +49,6 @@ def prescription(settings):
 
 
 def grammar_blocks(settings):
-    """A lens or one error, both often."""
     missing = {item.word for item in items.items(settings.parser)} ^ set(grammar.WORDS)
     if missing:
         sys.exit(f"the grammar and the parser know different words: {sorted(missing)}")
@@ -63,7 +62,6 @@ def grammar_blocks(settings):
 
 
 def grammar_frames(settings):
-    """Bad blocks are found, the others rendered."""
     accepted = [o.text for o in blocks.run(settings.parser, 2, 3 * FRAMES) if o.answer == "lens"][:FRAMES]
     if len(accepted) < FRAMES:
         sys.exit(f"only {len(accepted)} of {3 * FRAMES} blocks accepted")

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file solver_fuzz.cpp
-/// libFuzzer's target for the solver: the numbers of a camera and a statement, bit for bit. Result: finite rays with a direction, or an
+/// libFuzzer's target for the solver, with the numbers of a camera and a statement. The result must be finite rays with a direction, or an
 /// error in words.
 
 #include <cstdint>
@@ -93,7 +93,7 @@ Statement StatementFrom(Bytes& bytes, unsigned flags)
     return s;
 }
 
-/// As report and render use a lens: no crash, no overflow.
+/// Uses a lens as report and render do.
 void Use(const Lens& lens, const Statement& s, std::uint32_t seed)
 {
     for (const std::string& warning : Warnings(lens, s))

@@ -12,7 +12,7 @@ import sys
 from tests.tools import manifest, pictures
 
 CASE = "tilt"
-# 128 pinholes: RMSE about 0.012; wrong sign: 0.06
+# 128 pinholes have an RMSE of about 0.012, the wrong sign 0.06
 LIMITS = {"kind": "limits", "rmse_max": 0.025, "mean_max": 0.002}
 BATCHES, SAMPLES, PROCESSES, SEED = 8, 16, 16, 1001
 

@@ -57,7 +57,7 @@ TEST(OracleOptics, EveryLensPointMeetsInThePlaneOfFocus)
 TEST(OracleOptics, ObeysTheHingeRule)
 {
     const CameraSolved camera = SolveCase(AlongZ(Focus::Lens, 6.0, 0.0), 4.0 / 3.0);
-    // J: where the plane of sharp focus meets z = 0, below the lens
+    // the plane of sharp focus meets z = 0 at the distance J below the lens
     EXPECT_NEAR(-1.0 / camera.focus.y, camera.focalLength / std::sin(6.0 * kDegree), 1e-12);
 }
 

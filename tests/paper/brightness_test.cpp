@@ -14,7 +14,6 @@ namespace
 using paper::Point;
 using witness::Picture;
 
-/// The pixels' values are linear.
 template<typename Value>
 Picture Make(int width, int height, Value value)
 {
@@ -57,7 +56,7 @@ TEST(Profile, AveragesAbsoluteDifferences)
 
 TEST(Moments, MatchARectangle)
 {
-    // 5 by 3 pixels: variances (n^2 - 1)/12
+    // 5 by 3 pixels have the variances (n^2 - 1)/12
     const Picture picture = Make(20, 20, [](int x, int y) { return x >= 4 && x < 9 && y >= 7 && y < 10 ? 0.25 : 0.0; });
     const paper::Moments m = paper::MomentsIn(picture, 2, 2, 15, 15);
     EXPECT_NEAR(m.centroid.x, 6.5, 1e-12);

@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The experiments' lens of glass focuses where its numbers say.
-
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -36,13 +34,12 @@ TEST(GlassLens, SendsTheFocalPointToInfinity)
 
 TEST(GlassLens, HasTheRowsOfALensOf50Millimetres)
 {
-    // the file's focal length, which a wrong digit would change
+    // a wrong digit would change the file's focal length
     EXPECT_NEAR(GlassLens(50.0, 8.0).PrintedFocalLength(), 50.0, 0.5);
 }
 
 TEST(GlassLens, HasItsFocalLength)
 {
-    // height h in the focal plane: slope -h/f
     const GlassLens lens(50.0, 8.0);
     const double h = 0.01;
     const paper::Ray ray = Out(lens, {h, 0.0, -lens.Separation() - 50.0}, 0.0, 0.0);

@@ -1,9 +1,9 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""`prescription` against the experiments' tracer: the box scene through the same double Gauss lens, tilted by 0, 4 or 8 degrees, at f/8 or
-f/2.1, or focused by its first element.
+"""Compares `prescription` with the experiments' tracer: the box scene through the same double Gauss lens, tilted by 0, 4 or 8 degrees, at
+f/8 or f/2.1, or focused by its first element.
 
-The tracer takes the mean over passing rays, so the program's picture is divided by that of an even surface (flat field)."""
+The tracer takes the mean over passing rays, so the program's picture is divided by that of an even surface."""
 
 import argparse
 import dataclasses
@@ -25,9 +25,9 @@ TILTS, STOPS = (0, 4, 8), (8, 2.1)
 SAMPLES = {8: 1024, 2.1: 4096}  # of the tracer, per pixel: its noise must be small against the limits
 SIZE = (42, 28)
 RMSE, MEAN = 0.006, 0.0005
-# Least RMSE of a wrong lens; the wrong sign of the tilt gives 0.11.
+# least RMSE of a wrong lens; the wrong sign of the tilt gives 0.11
 WRONG, WRONG_SIZE, WRONG_SAMPLES = 0.1, (60, 40), 512
-# The first element's movement (mm of its file), and the tilt. The wrong lens is focused at infinity.
+# the first element's movement (mm of its file), and the tilt; the wrong lens is focused at infinity
 MOVED, MOVED_TILT = 2.0, 4
 
 
@@ -79,13 +79,13 @@ def traced_picture(tool, folder, tilt, stop, moved=0.0, size=SIZE, samples=None)
     )
     # the tracer's stop stays in place when the first element moves
     assert abs(json.loads(done.stdout)["entrance_pupil"]) < (0.02 if moved == 0.0 else 0.03), done.stdout
-    # three floats, and three halves for the error, unknown for one batch
+    # three floats, and three halves for the error
     *_, data = rendering.read_pixels(made)
     return rendering.Picture(width, height, ["R", "G", "B"], [v for pixel in struct.iter_unpack("=fffeee", data) for v in pixel[:3]])
 
 
 def differences(picture, even, traced):
-    """Root mean square and mean, after division by the flat field."""
+    """Root mean square and mean, after division by the even surface."""
     squares = mean = 0.0
     for name in "RGB":
         for own, level, other in zip(picture.channel(name), even.channel(name), traced.channel(name)):

@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The tool recovers the blur of synthetic pictures.
-
 #include <cmath>
 #include <random>
 #include <stdexcept>

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Runs POV-Ray on each case of a file, and compares its messages with the expected ones.
 
-An expected error must be the only one and name file and line; the exit code is not zero, and there is no picture. Without an expected
-error there must be a picture."""
+An expected error must be the only one and name file and line; the exit code is not zero, and there is no picture. Otherwise there must be a
+picture."""
 
 import argparse
 import pathlib
@@ -15,8 +15,7 @@ from tests.parse import cases_file
 from tools import povray_run
 
 PICTURE = "picture.png"
-# POV-Ray breaks messages into lines of 79 characters, later ones indented. The renderer's messages follow their place and some lines of the
-# scene.
+# POV-Ray breaks messages into lines of 79 characters, later ones indented.
 KIND = r"((?:Parse |Possible |Render |Fatal )?(?:Error|Warning)): (.*)"
 MESSAGE = re.compile(r"File '([^']*)' line (\d+): " + KIND)
 PLACE = re.compile(r"File: (.*\S) +Line: (\d+)\n(?:File Context.*\n(?:.*\n)*?)?(?=" + KIND + ")")

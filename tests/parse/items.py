@@ -12,7 +12,7 @@ from tests.waiting import PATIENCE
 
 @dataclasses.dataclass
 class Number:
-    name: str  # in messages
+    name: str
     least: float
     most: float
     whole: bool
@@ -27,7 +27,7 @@ class Number:
 @dataclasses.dataclass
 class Item:
     word: str
-    values: str  # placeholders of its values, as in the manual
+    values: str  # placeholders, as in the manual
     example: str  # the word with values
     numbers: list
 

@@ -49,8 +49,6 @@ class Ranges(unittest.TestCase):
                 judge(number, value, answer)
 
     def test_ends_are_taken(self):
-        """Other checks may refuse them, but not the range."""
-
         def judge(number, value, answer):
             del value
             self.assertNotIn(f"{number.name} ", answer.split("in tilt_lens.")[0] if "in tilt_lens." in answer else "")

@@ -4,8 +4,8 @@
 
 usage: check_fixes.py apply|compile REPOSITORY WORK DOWNLOADS TARBALL=[FOLDER] [COMPILER COMPILE_COMMANDS]
 
-Prints each fault; the exit code is not 0 if there is a fault. "compile" checks files that a patch touches, or that include a header that
-it touches.
+Prints each fault; the exit code is not 0 if there is one. "compile" checks files that a patch touches, or that include a header that it
+touches.
 """
 
 import json

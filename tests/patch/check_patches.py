@@ -31,7 +31,6 @@ SENTENCE_BUDGET = 32
 
 
 def series(folder):
-    """ "#" starts a comment."""
     lines = (folder / "series").read_text(encoding="utf-8").splitlines()
     names = (line.split("#", 1)[0].strip() for line in lines)
     return [name for name in names if name]
@@ -65,7 +64,6 @@ def new_files(text):
 
 
 def changed_lines(text, sign):
-    """Returns lines without their sign."""
     in_hunk = False
     for line in text.splitlines():
         if line.startswith("@@"):
@@ -79,7 +77,6 @@ def changed_lines(text, sign):
 
 
 def check_list(folder):
-    """Listed files exist once, none is left out."""
     names = series(folder)
     for name in sorted(set(names)):
         if names.count(name) > 1:

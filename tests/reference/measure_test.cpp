@@ -30,7 +30,6 @@ Picture Noisy(int width, int height, double deviation, unsigned seed)
     return picture;
 }
 
-/// Mean of sixteen noisy pictures, as stored.
 Reference NoisyReference(double deviation)
 {
     std::vector<Picture> batches;

@@ -14,7 +14,6 @@
 namespace
 {
 
-/// The session's clock stands still.
 class StandingClock : public vfePlatform::vfeUnixSession
 {
   public:

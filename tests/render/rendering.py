@@ -1,6 +1,5 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Small renders for tests."""
 
 import argparse
 import array
@@ -25,9 +24,9 @@ HEAD = "#version 3.7; global_settings { assumed_gamma 1 }\n"
 class Picture:
     width: int
     height: int
-    names: list  # of the channels
-    values: list  # width * height * channels
-    told: str = ""  # how it was made
+    names: list
+    values: list
+    told: str = ""
 
     def pixel(self, x, y):
         n = len(self.names)
@@ -107,7 +106,6 @@ class Job:
         return done.code, done.said
 
     def stop(self, folder, number, kept):
-        """Kills POV-Ray when its state file exceeds `kept` bytes."""
         end = time.monotonic() + PATIENCE
         with self.start(folder) as process:
             while process.poll() is None and time.monotonic() < end:
@@ -166,7 +164,7 @@ class RenderTest(unittest.TestCase):
         self.assertGreater(len(set(a.values)), 8, f"{what}: an empty picture shows nothing\n{a.told}")
 
     def assert_same_in_parts(self, scene, *options, first, last, **size):
-        """Equal for one thread and several, other tiles, and some rows (`first` to `last`, from 1). Returns the whole picture."""
+        """The picture is equal for one thread and several, other tiles, and rows `first` to `last`. Returns it."""
         whole = render(scene, "+WT1", *options, **size)
         self.assert_same(render(scene, "+WT3", "+BS13", *options, **size), whole, "threads")
         part = render(scene, f"+SR{first}", f"+ER{last}", *options, **size)

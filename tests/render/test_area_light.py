@@ -37,7 +37,6 @@ class AreaLight(rendering.RenderTest):
         for name, area in LIGHTS.items():
             with self.subTest(name):
                 world = light(area) + FLOOR + THINGS
-                # a lens too small to blur
                 lens = rendering.render(scenes.camera("", 1e-6, samples) + world, **SIZE)
                 pinhole = rendering.render(f"camera {{ {scenes.VIEW} }}\n" + world, "+A0.0", "+AM1", "+R7", "-J", **SIZE)
                 hard = rendering.render(

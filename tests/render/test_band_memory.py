@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Layers of a band of a huge picture take memory for that band."""
+"""A band of a huge picture takes memory for the band's layers alone."""
 
 import pathlib
 import tempfile
@@ -12,7 +12,7 @@ from tools import povray_run
 SIZE = {"width": 6000, "height": 3000}
 BAND = ("+SR1000", "+ER1003", "+WT1")
 CHANNELS = 7  # depth, position, blur, samples, standard error
-WHOLE = CHANNELS * 4 * SIZE["width"] * SIZE["height"]  # bytes of the whole picture's layers
+WHOLE = CHANNELS * 4 * SIZE["width"] * SIZE["height"]  # bytes
 SCENE = scenes.camera("tilt 3", samples="blur_samples 1, 1 variance 0 ") + scenes.WORLD
 
 

@@ -47,7 +47,6 @@ class Declared(rendering.RenderTest):
                 self.assert_same(rendering.render(declared(camera_of(name)) + scenes.WORLD, **SIZE), plain, name)
 
     def test_block_behind_the_identifier(self):
-        """The declared camera stays unchanged."""
         view = camera_of("plane").split("tilt_lens")[0]
         for name in ("lens turned", "focus turned", "points"):
             for before in ("", "tilt_lens { tilt -7 blades 3 }"):
@@ -79,8 +78,6 @@ class Declared(rendering.RenderTest):
 
 
 class Together(rendering.RenderTest):
-    """The same picture up to rounding at edges."""
-
     stills = {}
 
     def still(self, name):

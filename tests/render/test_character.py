@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Aberrations as rendered, against the laws in docs/manual.md."""
+"""Aberrations as rendered, compared with the laws in docs/manual.md."""
 
 import math
 import pathlib
@@ -11,7 +11,7 @@ from tests.render import rendering, scenes
 WIDTH, HEIGHT = 64, 48
 SIZE = {"width": WIDTH, "height": HEIGHT, "extension": "exr"}
 VIEW = "location 0 look_at <0, 0, 10> right 4/3*x angle 50 "
-HALF = math.tan(math.radians(25))  # tangent of half the angle of view: half a film's width
+HALF = math.tan(math.radians(25))
 SAMPLES = "blur_samples 32, 32 variance 0 "
 EVEN = "background { rgb 0.5 }\n"
 ALL = (
@@ -65,7 +65,6 @@ class Vignetting(rendering.RenderTest):
             shared = 2 / math.pi * (math.acos(half) - half * math.sqrt(1 - half * half))
             # focused at 10, the rim's shadow is slightly larger than the aperture
             self.assertAlmostEqual(picture.pixel(x, y)[0] / 0.5, shared, delta=0.04)
-        # uniform light: opposite pixels are equal
         for x, y in ((0, 0), (5, 40)):
             self.assertAlmostEqual(picture.pixel(x, y)[0], picture.pixel(WIDTH - 1 - x, HEIGHT - 1 - y)[0], delta=0.002)
 
@@ -84,14 +83,14 @@ class Distortion(rendering.RenderTest):
             self.assertAlmostEqual(values["depth.Z"], 20, places=4)
 
     def test_near(self):
-        """Focus at D in units of 100 mm: the coefficient is K1 + NEAR f/D."""
-        film = 18 / HALF  # mm from the lens
+        """With the focus at D, in units of 100 mm, the coefficient is K1 + NEAR f/D."""
+        film = 18 / HALF  # mm
         for distance in (10, 1.5):
             view = VIEW.replace("look_at <0, 0, 10>", f"look_at <0, 0, {distance}>")
             at = layers_of(
                 scenes.camera("scene_unit 100 distortion -0.02, 0.01, 0.8", 0.5, SAMPLES, view) + "plane { z, 20 pigment { rgb 1 } }\n"
             )
-            k1 = -0.02 + 0.8 / (1 + 100 * distance / film)  # f/D with 1/f = 1/film + 1/D
+            k1 = -0.02 + 0.8 / (1 + 100 * distance / film)
             for x, y in ((0, 0), (63, 20), (40, 47)):
                 own = place(x, y)
                 square = own[0] ** 2 + own[1] ** 2
@@ -126,7 +125,7 @@ class FieldCurvature(rendering.RenderTest):
         s = 18 / HALF  # mm
         for x, y in ((0, 23), (63, 24), (31, 23), (31, 0)):
             square = sum(value**2 for value in place(x, y))
-            vergence = -0.3 * square / s**2 * 100  # vergence of the surface minus that in focus; 1/units
+            vergence = -0.3 * square / s**2 * 100  # vergence of the surface minus that in focus
             blur = 0.25 * vergence * WIDTH / (2 * HALF)  # the lens diameter is half of `aperture`
             self.assertAlmostEqual(at(x, y)["blur"], blur, delta=1e-3 * abs(blur) + 1e-5)
 
@@ -144,7 +143,7 @@ class Colours(rendering.RenderTest):
             **SIZE,
         )
         red, green, blue = (middle_of(picture, channel)[0] for channel in range(3))
-        # centres of the outer thirds: 2/3 of the way to the spectrum's ends
+        # the outer thirds' centres lie 2/3 of the way to the spectrum's ends
         self.assertAlmostEqual(red / green - 1, 2 / 3 * 0.05, delta=0.008)
         self.assertAlmostEqual(1 - blue / green, 2 / 3 * 0.05, delta=0.008)
 

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Blurred light has the shape of the diaphragm; moments agree with closed forms."""
+"""Blurred light has the shape of the diaphragm: moments agree with closed forms."""
 
 import math
 
@@ -22,7 +22,7 @@ def moments(lens, aperture=2.4):
 
 
 def mean_square_radius(blades, curvature):
-    """Curved blades, corners on the unit circle; integrated over the angle."""
+    """Curved blades with corners on the unit circle, integrated over the angle."""
     steps, fourth, second = 4000, 0.0, 0.0
     half, middle = math.sin(math.pi / blades), math.cos(math.pi / blades)
     for i in range(steps):
@@ -31,7 +31,7 @@ def mean_square_radius(blades, curvature):
             radius = middle / math.cos(angle)
         else:
             arc = 1 / curvature
-            behind = math.sqrt(arc**2 - half**2) - middle  # distance of the arc's centre behind the opening's
+            behind = math.sqrt(arc**2 - half**2) - middle
             radius = math.sqrt(arc**2 - (behind * math.sin(angle)) ** 2) - behind * math.cos(angle)
         fourth += radius**4
         second += radius**2
@@ -40,7 +40,6 @@ def mean_square_radius(blades, curvature):
 
 class Diaphragm(rendering.RenderTest):
     def test_squeeze(self):
-        """One side equal, the other divided by the ratio."""
         # size of pixels and light, shown by a tiny lens
         _, dot_x, dot_y = moments("", 0.0001)
         light, x, y = moments("")
@@ -56,7 +55,7 @@ class Diaphragm(rendering.RenderTest):
     def test_blade_curvature(self):
         _, dot_x, dot_y = moments("", 0.0001)
         _, x, y = moments("")
-        disc = x + y - dot_x - dot_y  # of a disc, whose mean square radius is 1/2
+        disc = x + y - dot_x - dot_y
         for blades, curvature in ((3, 0), (3, 0.5), (3, 1), (5, 0.6)):
             with self.subTest(blades=blades, curvature=curvature):
                 _, x, y = moments(f"blades {blades}, 20 blade_curvature {curvature}")

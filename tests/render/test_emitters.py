@@ -12,7 +12,6 @@ SIZE = {"width": 40, "height": 30}
 
 
 def lamps(glow):
-    """From before the plane of focus to far behind it; one hidden."""
     return f"""
 #for (I, 0, 5)
   #for (J, -3, 3)
@@ -34,7 +33,7 @@ def scene(samples, glow=GLOW, lens="focus_tilt 20 scene_unit 100"):
 
 
 def clipped_error(picture, truth):
-    """As displayed; and the share of pixels off by more than 2 sqrt(1e-4)."""
+    """Error as displayed, and the share of pixels off by more than 2 sqrt(1e-4)."""
     channels = len(picture.names)
     errors = [(min(1.0, a) - min(1.0, b)) ** 2 for a, b in zip(picture.values, truth.values)]
     pixels = [max(errors[i : i + channels]) for i in range(0, len(errors), channels)]
@@ -52,7 +51,6 @@ class Emitters(rendering.RenderTest):
                 self.assertLess(beyond, 0.05, f"{lens}: {beyond:.1%}")
 
     def test_known_lamps_take_fewer_rays(self):
-        """At 32 samples a pixel, unknown lamps are far noisier."""
         asked = "blur_samples 8, 32 variance 1/10000 "
         truth = rendering.render(scene("blur_samples 1024, 1024 variance 0 "), **SIZE)
         known, unknown = (clipped_error(rendering.render(scene(asked, glow), **SIZE), truth)[0] for glow in (GLOW, UNKNOWN))

@@ -5,12 +5,11 @@ size and blur are known to the program, or hidden in a pattern's colours, or sho
 
 fixed_sampling.py --povray PROGRAM --compare TOOL [--scenes COUNT] [--seeds COUNT] [--scene NUMBER | --show NUMBER]
 
-*The comparison.* Pictures d and f share their first samples; R is an independent unbiased reference; its noise cancels but for its product
-with d - f. The sum of (d - R)^2 - (f - R)^2 is the difference of their errors. The excess is this sum over that of (d - R)^2 + (f - R)^2,
-and above zero where the default is worse. Fixed sampling takes the default's rays, rounded down.
+*The comparison.* Pictures d and f share their first samples; R is an independent unbiased reference, whose noise mostly cancels in the sum
+of (d - R)^2 - (f - R)^2. The excess is this sum over that of (d - R)^2 + (f - R)^2, and above zero where the default is worse.
 
-*The margin.* The standard error of the mean excess follows from the seeds and from R's noise. A scene fails above Student's quantile
-times that. For equal errors, any scene fails with probability one in a hundred (Sidak)."""
+*The margin.* The standard error of the mean excess follows from the seeds and from R's noise. A scene fails above Student's quantile times
+that. For equal errors, any scene fails with probability one in a hundred (Sidak)."""
 
 import argparse
 import concurrent.futures
@@ -25,9 +24,9 @@ from tests.stress.pictures import students_quantile
 
 WIDTH, HEIGHT = 64, 48
 REFERENCE_SEEDS = (101, 102)
-LEAST_REFERENCE, FINER = 512, 10  # samples of each picture of a reference: the least, and how many for each ray that is judged
-CHANCE = 1e-2  # that any scene fails by chance
-WHITE = 0.9  # above white nothing is seen; brighter pixels are left out
+LEAST_REFERENCE, FINER = 512, 10  # samples of each picture of a reference: the least, and how many for each compared ray
+CHANCE = 1e-2  # probability that any scene fails by chance
+WHITE = 0.9  # brighter pixels are left out
 SETTINGS = argparse.Namespace(scenes=4, seeds=8, scene=None, show=None, told=False)
 
 
@@ -35,7 +34,7 @@ def lamp(r, aperture, mirrored):
     z = r.uniform(28, 50) if mirrored else r.choice((r.uniform(-5, -1), r.uniform(1, 25)))
     far = (z + 10) / 10
     blur = aperture * abs(z) / (z + 10) * WIDTH / 7.28  # pixels
-    pixels = math.exp(r.uniform(math.log(0.25), math.log(2)))  # that a sharp one would have
+    pixels = math.exp(r.uniform(math.log(0.25), math.log(2)))
     emission = math.exp(r.uniform(math.log(0.05), math.log(0.8))) * max(1.0, (blur / pixels) ** 2)
     x, y, radius = 3.6 * far * r.uniform(-1, 1), 2.7 * far * r.uniform(-1, 1), pixels / 2 * 7.28 / WIDTH * far
     green, blue = r.uniform(0.3, 1), r.uniform(0.3, 1)
@@ -83,13 +82,12 @@ class Reference:
         one, two = (picture(number, seed, f"blur_samples {samples}, {samples} variance 0")[0] for seed in REFERENCE_SEEDS)
         self.kept = [i for i, (a, b) in enumerate(zip(one, two)) if a + b < 2 * WHITE]
         self.truth = [(one[i] + two[i]) / 2 for i in self.kept]
-        self.noise = [((one[i] - two[i]) / 2) ** 2 for i in self.kept]  # squared standard error of the mean
+        self.noise = [((one[i] - two[i]) / 2) ** 2 for i in self.kept]
 
     def shown(self, values):
         return [min(1.0, values[i]) for i in self.kept]
 
     def error(self, values):
-        """The reference's own error is subtracted."""
         return statistics.fmean((a - b) ** 2 - noise for a, b, noise in zip(self.shown(values), self.truth, self.noise))
 
     def excess(self, values, others):
@@ -101,7 +99,7 @@ class Reference:
 
 
 class Excess:
-    """Excess over pictures with the same seeds; one of so many `tests`, of which hardly any may fail by chance."""
+    """Excess over pictures with the same seeds, for one of so many `tests`."""
 
     def __init__(self, reference, pictures, others, tests):
         excesses, given = zip(*map(reference.excess, pictures, others))
@@ -154,7 +152,6 @@ class FixedSampling(rendering.RenderTest):
         )
 
     def test_the_comparison_finds_an_eighth_of_the_rays(self):
-        """Shows that the comparison can fail."""
         found = Excess(Reference(1, 16), evenly(1, 2), evenly(1, 16), SETTINGS.scenes)
         self.assertTrue(found.is_found, found.told())
 

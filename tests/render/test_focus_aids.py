@@ -82,12 +82,10 @@ class Peaking(rendering.RenderTest):
         self.assertTrue(300 < tinted < 9000, f"{tinted} pixels are tinted\n{sharp.told}")
 
     def test_an_area_light_lights_with_all_its_points(self):
-        """The rule holds also with one ray per pixel."""
         tinted = self.count_tinted(picture(PEAKING, world=AREA_LIT), pinhole(world=AREA_LIT))
         self.assertGreater(tinted, 300)
 
     def test_the_pixels_of_blur(self):
-        """A blur of 1.05 pixels, limits of 1 and 1.1, both sides."""
         for distance in (7.53, 14.9):
             for limit, tint in (("", 0.0), (", 1", 0.0), (", 1.1", 0.5), (", 0.9", 0.0)):
                 with self.subTest(distance=distance, limit=limit):
@@ -103,7 +101,6 @@ class Peaking(rendering.RenderTest):
 
 class Map(rendering.RenderTest):
     def test_hue_is_the_side_and_darkness_the_amount(self):
-        """Over the whole range, against blurs calculated here."""
         before = None
         for distance in (10.0, 9.0, 7.0, 5.0, 3.0, 1.5, 0.8, 0.4):
             seen, blur = wall(distance, "focus_map")
@@ -130,7 +127,7 @@ class Map(rendering.RenderTest):
         for distance, name in ((7.0, "before"), (16.0, "behind")):
             with self.subTest(distance=distance):
                 seen, blur = wall(distance, "focus_map", 640, 480)
-                blur *= 10  # ten times as many pixels
+                blur *= 10
                 place = math.copysign(math.log1p(abs(blur)) / math.log1p(64), blur)
                 # 2 dots around the box; the bar begins at 2 + 6
                 left, right = 4 + 16, 640 - 4 - 16
@@ -168,9 +165,8 @@ class Planes(rendering.RenderTest):
         self.assertNotEqual(seen.pixel(*behind), plain.pixel(*behind), seen.told)
 
     def test_each_surface_at_its_depth(self):
-        """A black wall moved through the surfaces covers each in turn."""
         tints = []
-        for distance in (6.0, 9.0, 10.9, 12.0, 50.0):  # limits of one pixel: 7.62 and 14.5
+        for distance in (6.0, 9.0, 10.9, 12.0, 50.0):
             seen, blur = wall(distance, "show_planes")
             tints.append((blur, seen.pixel(30, 20)))
         black, first, second, third, fourth = (colour for _, colour in tints)

@@ -17,7 +17,6 @@ def camera(items, before="", samples=SAMPLES):
 
 class Found(rendering.RenderTest):
     def blur_at(self, text, x, y):
-        """At a place from 0 to 1."""
         return Rendered(text + scenes.WORLD, width=160, height=120).at("blur", int(160 * x), int(120 * (1 - y)))
 
     def test_a_place_is_sharp(self):

@@ -1,6 +1,5 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Lenses of glass as rendered."""
 
 import csv
 import math
@@ -22,7 +21,6 @@ WORLD = "plane { z, 10 pigment { checker rgb 0.2 rgb 1 scale 0.5 } finish { emis
 
 
 def camera(items, samples=SAMPLES, view=VIEW, unit=100):
-    """Looks along z; one unit is 10 cm."""
     return f"camera {{ {view}{samples}tilt_lens {{ scene_unit {unit} {items} }} }}\n"
 
 
@@ -58,12 +56,11 @@ class EvenLight(rendering.RenderTest):
                 self.assertLess(level(x + 1, y) - level(x, y), 0.06)
 
     def test_natural_vignetting_of_a_thin_lens(self):
-        """Brightness falls with the fourth power of the cosine."""
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             (pathlib.Path(name) / "thin.dat").write_text("100 1e-6 1.5 20\n-100 1e-6 1 20\n0 0 0 2\n")
             scene = camera('prescription "thin.dat" natural_vignetting 1 film_width 60', unit=1000)
             picture = rendering.render(scene + EVEN, f"+L{name}", **SIZE)
-        distance = 100 / (1 - 100 / 10000)  # of the film
+        distance = 100 / (1 - 100 / 10000)
         for x, y in ((0, 0), (47, 3), (24, 16), (10, 25)):
             film = 60 / WIDTH * math.hypot(x + 0.5 - WIDTH / 2, y + 0.5 - HEIGHT / 2)
             self.assertAlmostEqual(picture.pixel(x, y)[0] / 0.5, math.cos(math.atan(film / distance)) ** 4, delta=0.004)
@@ -71,7 +68,6 @@ class EvenLight(rendering.RenderTest):
 
 class Focus(rendering.RenderTest):
     def test_as_the_ideal_lens_of_its_numbers(self):
-        """The pupils lie near the principal points."""
         turned = "tilt 3 swing -2 shift <2, 1> f_stop 4 "
         samples = "blur_samples 64, 256 variance 1e-5 "
         world = WORLD + "plane { y, -0.7 pigment { checker rgb <1, 0.5, 0.2> rgb 0.1 scale 0.3 } finish { emission 1 diffuse 0 } }\n"
@@ -148,7 +144,6 @@ class Dispersion(rendering.RenderTest):
     SINGLET = "100 4 1.5168 30 64.17\n-100 30 1 30\n0 0 0 4\n"
 
     def test_uniform_surface_stays_uniform(self):
-        """Light stays uniform even where the rims vignette."""
         picture = render(camera(self.PLANAR + "f_stop 11") + EVEN)
         self.assertEqual(set(zip(*(picture.channel(name) for name in "RGB"))), {(0.5, 2.0, 0.125)}, picture.told)
         wide = render(camera(self.PLANAR) + EVEN)
@@ -171,7 +166,7 @@ class Dispersion(rendering.RenderTest):
             scene = camera(f'prescription "singlet.dat" dispersion on film_width {film}', "blur_samples 2048, 2048 variance 0 ", unit=1000)
             point = f"sphere {{ <0, 0, 10>, {radius} pigment {{ rgb 1 }} finish {{ emission 1000 diffuse 0 }} }}\n"
             picture = rendering.render(scene + point, f"+L{name}", **SIZE)
-        own = (film / WIDTH) ** 2 / 6 + (radius / 10 * 101) ** 2 / 2  # second moments of a pixel and of the point's sharp image
+        own = (film / WIDTH) ** 2 / 6 + (radius / 10 * 101) ** 2 / 2
         found = {}
         for colour in "RGB":
             light = dict(zip(((x, y) for y in range(HEIGHT) for x in range(WIDTH)), picture.channel(colour)))
@@ -183,7 +178,7 @@ class Dispersion(rendering.RenderTest):
 
     @staticmethod
     def disc(wavelength):
-        """Radius, mm: a thick lens with dispersion by the Abbe number, the stop 30 mm behind it."""
+        """Radius, mm, behind a thick lens with dispersion by the Abbe number, the stop 30 mm behind it."""
         index = 1.5168 + 0.5168 / 64.17 * (wavelength**-2 - 587.6**-2) / (486.1**-2 - 656.3**-2)
         focal = lambda n: 1 / ((n - 1) * (2 / 100 - (n - 1) * 4 / (n * 100 * 100)))
         image = lambda n: 1 / (1 / focal(n) - 1 / 10000)
@@ -210,7 +205,7 @@ class Files(rendering.RenderTest):
                 self.assertAlmostEqual(focal, 60, delta=6 if moves else 0.001)
                 self.assertEqual("Inner focus" in text, moves)
                 self.assertGreater(max(picture.channel("R")) - min(picture.channel("R")), 0.7)
-                if row["file"] != "tronnier_gauss_50.dat":  # whose source has no Abbe numbers
+                if row["file"] != "tronnier_gauss_50.dat":  # its source has no Abbe numbers
                     scene = scene.replace("tilt 1", "tilt 1 dispersion on")
                     picture, text = rendering.render_and_listen(scene, f"+L{INCLUDE}", **SIZE)
                     self.assert_finite(picture)

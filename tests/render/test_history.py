@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Pixels do not depend on earlier rays: random scenes show every per-thread cache, by threads, tiles and bands."""
+"""Pixels do not depend on earlier rays: random scenes use every per-thread cache with several threads, tiles and bands."""
 
 import random
 
@@ -8,7 +8,6 @@ from tests.render import rendering, scenes
 
 SIZE = {"width": 40, "height": 30}
 CAMERA = scenes.camera("tilt 3 swing -2", samples="blur_samples 4, 16 variance 1/2000 ")
-# other first tiles, and photons on several threads
 OTHER_WAYS = (("+WT2",), ("+WT4", "+BS8"), ("+WT1", "+BS5", "+RP3"))
 
 
@@ -95,7 +94,6 @@ class History(rendering.RenderTest):
                 self.check_band(scene(seed), whole, 11, 20)
 
     def test_photons(self):
-        """Free threads take pairs of light and target in any order."""
         targets = "".join(
             f"sphere {{ <{x}, 0.3, {x}>, 0.35 pigment {{ rgbf <1, 0.9, 0.8, 0.9> }} interior {{ ior 1.5 }} "
             "photons { target refraction on reflection on collect off } }\n"

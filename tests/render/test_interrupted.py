@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Killed or interrupted, then continued with +C: the same pixels."""
+"""A killed or interrupted render continues with +C to the same pixels."""
 
 import pathlib
 import re
@@ -21,8 +21,8 @@ class Interrupted(rendering.RenderTest):
     def check(self, stop):
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             folder = pathlib.Path(name)
-            rendering.Job(SLOW, ("+WT1", "+BS8"), **SIZE).stop(folder, stop, 8000)  # a few finished blocks
-            again = rendering.Job(SLOW, ("+WT2", "+BS8", "+C"), **SIZE)  # the state file counts tiles
+            rendering.Job(SLOW, ("+WT1", "+BS8"), **SIZE).stop(folder, stop, 8000)
+            again = rendering.Job(SLOW, ("+WT2", "+BS8", "+C"), **SIZE)
             said = again.run(folder)
             self.assert_same(again.result(folder), self.whole, f"continued after {stop.name}")
         pixels = re.search(r"^Pixels: +(\d+)", said, re.MULTILINE)

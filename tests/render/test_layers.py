@@ -75,7 +75,6 @@ class Numbers(rendering.RenderTest):
         self.assertIn("tiltLens:tilt: 4", said)
 
     def test_commands_of_the_manual(self):
-        """The commands' pictures are not empty."""
         manual = ROOT / "docs" / "manual.md"
         commands = [shlex.split(line) for line in re.findall(r"^    (oiiotool board\.layers\.exr .*)$", manual.read_text(), re.MULTILINE)]
         self.assertGreaterEqual(len(commands), 4)
@@ -306,7 +305,6 @@ class Files(rendering.RenderTest):
         self.assertIn("Cannot write the layers 'out/picture.layers.exr' (Is a directory)", said)
 
     def test_continued_after_a_write_error(self):
-        """+C need not render the state file's tiles again."""
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             folder = pathlib.Path(name)
             (folder / "picture.layers.exr").mkdir()

@@ -54,8 +54,6 @@ class Furnace(rendering.RenderTest):
 
 
 class Renders(rendering.RenderTest):
-    """A small lens renders nearly as a pinhole: no light is lost."""
-
     WORLDS = {
         "radiosity": "global_settings { radiosity { count 30 pretrace_start 0.1 pretrace_end 0.05 } }\n",
         "photons": "global_settings { photons { count 3000 } }\n"
@@ -75,7 +73,6 @@ class Renders(rendering.RenderTest):
                 lens = rendering.render(scenes.camera("tilt 3", 0.002, samples) + world + scenes.WORLD, "+WT1", **SIZE)
                 self.assert_finite(lens)
                 pinhole = rendering.render(f"camera {{ {scenes.VIEW} }}\n" + world + scenes.WORLD, "+WT1", "+A0.0", "+R4", **SIZE)
-                # anti-aliasing differs at edges
                 limit = 0.4 if name == "lens half in glass" else 0.05
                 self.assert_near(lens, pinhole, limit, name)
 

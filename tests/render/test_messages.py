@@ -1,6 +1,5 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The lens report: order, and options that switch it off."""
 
 import pathlib
 import re
@@ -27,7 +26,6 @@ AFTER = ("Tilt Lens Sampling\n", "Samples per pixel....", "Standard error....")
 
 class Report(rendering.RenderTest):
     def test_order(self):
-        """Lens before the render, sampling after it."""
         said = rendering.render_and_listen(scenes.TILTED, "-V")[1]
         at = 0
         for word in ("Render Options", "Tilt Lens\n", "Tilt Lens Sampling", "Render Statistics"):

@@ -139,7 +139,7 @@ class Allowed(rendering.RenderTest):
 class Quiet(rendering.RenderTest):
     def test_no_settings_of_the_user(self):
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name, unittest.mock.patch.dict(os.environ, {"HOME": name}):
-            for home in (name, f"{name}/nothing"):  # a folder without settings, and a name that is no folder
+            for home in (name, f"{name}/nothing"):
                 with unittest.mock.patch.dict(os.environ, {"HOME": home}):
                     code, said, _ = run(STOCK)
                     self.assertEqual(code, 0, said)

@@ -53,7 +53,6 @@ class OtherState(rendering.RenderTest):
         self.assertFalse(self.picture.exists(), said)
 
     def continued(self, scene, *options, **size):
-        """The pixels equal those of an uninterrupted render."""
         code, said = run(self.folder, scene, "+C", *options, **size)
         self.assertEqual(code, 0, said)
         found = rendering.read_picture(self.picture, "continued\n")

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Files that a scene may not read or write: refused with the line, and unchanged."""
+"""Files that a scene may not read or write are refused with the line, and unchanged."""
 
 import os
 import pathlib
@@ -13,11 +13,11 @@ from tools.repository import ROOT
 
 LENS = ROOT / "scenes" / "include" / "lenses" / "tronnier_gauss_50.dat"
 
-# "to_outside" and "link.inc" are links.
+# "to_outside" and "link.inc" are links
 WAYS_TO_READ = (
     '#include "{outside}/file.inc"',
     '#include "../outside/file.inc"',
-    '#include "../outside/file"',  # the extension is appended
+    '#include "../outside/file"',
     '#include "./sub/.././../outside/file.inc"',
     '#include "/{outside}/file.inc"',
     '#include "{outside}//file.inc"',
@@ -31,7 +31,7 @@ WAYS_TO_READ = (
     '#include "{outside}/../own folder/../outside/file.inc"',
     '#include ".hidden.inc"',
     '#include ".hidden/file.inc"',
-    '#include "../own folder and more/file.inc"',  # whose name begins as the folder's does
+    '#include "../own folder and more/file.inc"',  # begins as the name of the permitted folder
     '#include "../OWN FOLDER/file.inc"',
     '#fopen F "../outside/file.inc" read',
     '#declare A = file_exists("../outside/file.inc");',
@@ -175,7 +175,6 @@ class Permissions(rendering.RenderTest):
                 self.assertEqual(code, 0, said)
 
     def test_a_folder_that_does_not_exist(self):
-        """The message does not speak of permissions."""
         code, said = self.attempt('#fopen F "nowhere/../../outside/new.txt" write')
         self.assertEqual(code, 1, said)
         self.assertIn("Parse Error: Cannot open 'nowhere/../../outside/new.txt", said)
@@ -228,11 +227,10 @@ class Permissions(rendering.RenderTest):
             self.assertEqual(code, 1, said)
             code, said = self.call(self.own, line, "--unrestricted", "+Opicture.png")
             self.assertEqual(code, 0, said)
-        (self.own / "povray.ini").write_text("unrestricted=on\n")  # no word for INI files, which come with scenes
+        (self.own / "povray.ini").write_text("unrestricted=on\n")  # INI files come with scenes, and permit nothing
         self.assertEqual(self.call(self.own, "", "+Opicture.png")[0], 1)
 
     def test_stricter_by_the_user(self):
-        """The user's povray.conf adds to the program's."""
         settings = self.top / "home" / ".povray" / "3.7" / "povray.conf"
         settings.parent.mkdir(parents=True)
         for text, line, permitted in (

@@ -1,6 +1,5 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Progress with adaptive samples, and the final summary."""
 
 import pathlib
 import re
@@ -27,7 +26,7 @@ def shown(said):
 
 class Progress(rendering.RenderTest):
     def test_counts_the_work(self):
-        """Sky first: half of the pixels, little work."""
+        """The sky comes first: half of the pixels, little work."""
         said = rendering.render_and_listen(HALVES, "+WT1", "+BS16", "+V", **SIZE)[1]
         messages = shown(said)
         self.assertGreater(len(messages), 20, said)
@@ -45,7 +44,7 @@ class Progress(rendering.RenderTest):
                 self.assertEqual(percentages[-1], 100, said)
 
     def test_other_way_round(self):
-        """Floor first: half of the pixels, most of the work."""
+        """The floor comes first: half of the pixels, most of the work."""
         said = rendering.render_and_listen(HALVES.replace("right 4/3*x", "right 4/3*x sky -y"), "+WT1", "+BS16", "+V", **SIZE)[1]
         half = [percent for pixels, percent in shown(said) if pixels == 128 * 96 // 2]
         self.assertGreater(half[0], 88, said)
@@ -107,7 +106,6 @@ class Summary(rendering.RenderTest):
         self.assertRegex(said, r"of white \(estimated\), all samples asked for")
 
     def test_what_was_left_out(self):
-        """Pixels at MAX, against the statistics of all samples."""
         said = rendering.render_and_listen(HALVES.replace("8, 256", "8, 32"), **SIZE)[1]
         stopped = re.search(r"Stopped by MAX\.+(\d+) pixels \(([\d.]+)%\), at 32 samples", said)
         self.assertIsNotNone(stopped, said)

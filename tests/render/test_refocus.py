@@ -26,7 +26,7 @@ plane { y, 0 pigment { checker rgb 0.9, rgb <0.1, 0.3, 0.7> } }
 sphere { <0.5, 0.6, -2>, 0.6 pigment { rgb <0.9, 0.4, 0.1> } }
 sphere { <-1.2, 0.6, 4>, 0.6 pigment { rgb <0.2, 0.8, 0.1> } }
 """
-NORMAL = ("0", "-0.522331", "0.852743")  # of the near plane of sharp focus, from the report
+NORMAL = ("0", "-0.522331", "0.852743")  # normal of the near plane of sharp focus in the report
 
 
 class Refocus(unittest.TestCase):
@@ -71,7 +71,6 @@ class Refocus(unittest.TestCase):
         said = self.refocus("--at", "107", "98", "--f-stop", "1.4")
         found = re.search(r"plane \{ <(\S+), (\S+), (\S+)>, (\S+) \}, f/1.4", said)
         x, y, z, distance = map(float, found.groups())
-        # at most a radius away
         self.assertLess(abs(distance - (0.5 * x + 0.6 * y - 2 * z)), 0.6, said)
 
     def test_blurred_input_causes_a_warning(self):

@@ -81,8 +81,6 @@ class SubImages(rendering.RenderTest):
 
 
 class OneSample(rendering.RenderTest):
-    """Each ray is spread over its circle of confusion."""
-
     SCENE = scenes.camera(samples="blur_samples 1 ") + scenes.WORLD
 
     def test_threads_tiles_and_parts(self):

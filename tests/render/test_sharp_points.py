@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""sharp_points: the report against a formula worked out anew, and against the picture's blur."""
+"""The report of sharp_points, compared with an independent formula and the picture's blur."""
 
 import itertools
 import math
@@ -46,7 +46,7 @@ def determinant(rows):
 
 
 def levelled(points):
-    """(k, greatest defocus) for four points, the same for all, with signs that no other k improves."""
+    """(k, defocus) that leaves four points equally blurred, with signs that no other k improves."""
     rows = [[p[0] / p[2], p[1] / p[2], 1.0] for p in points]
     weights = [(-1) ** i * determinant(rows[:i] + rows[i + 1 :]) for i in range(4)]
     system = [[*row, math.copysign(1.0, w)] for row, w in zip(rows, weights)]
@@ -62,7 +62,6 @@ def best_plane(points):
 
 
 def in_pixels(defocus_value, diameter):
-    """The lens diameter is in scene units."""
     return defocus_value * diameter * FILM_DISTANCE * WIDTH / FILM
 
 
@@ -71,7 +70,6 @@ def seen_from_film(k, point):
     q = (k[0], k[1], k[2] + UNIT / FILM_DISTANCE)
     t = [part / math.hypot(*q) for part in q]
     across = [point[i] / point[2] for i in (0, 1)]
-    # all vectors but the lens's normal
     return math.sqrt((2 + dot(across, across) - sum((t[i] - t[2] * across[i]) ** 2 for i in (0, 1))) / 2)
 
 
@@ -87,7 +85,7 @@ LAMPS = "".join(
 
 def reported(said):
     """(blur in pixels, whether it binds) of each point."""
-    text = re.sub(r"\n (?! )", " ", said)  # what the console has wrapped
+    text = re.sub(r"\n (?! )", " ", said)  # joins lines that the console has wrapped
     lines = re.findall(r"^    \d\.+<[^>]*>: ([\d.e-]+) pixels \(([\d.e-]+) mm\) (before|behind)(, binds)?", text, re.MULTILINE)
     return [(float(p) * (1 if side == "before" else -1), float(mm), bool(binds)) for p, mm, side, binds in lines]
 
@@ -117,7 +115,7 @@ class SharpPoints(rendering.RenderTest):
             self.assertAlmostEqual(measured, abs(want) * seen_from_film(k, point), delta=0.02 * abs(want))
 
     def spot(self, picture, point, most):
-        """Mean diameter, pixels, of an even ellipse of light, from its spread in a part of the picture 2 `most` wide."""
+        """Mean diameter, pixels, of an even ellipse of light in a part of the picture 2 `most` wide."""
         scale = FILM_DISTANCE / point[2] * WIDTH / FILM
         column, row = WIDTH / 2 + scale * point[0], HEIGHT / 2 - scale * point[1]
         lights = []
@@ -127,7 +125,7 @@ class SharpPoints(rendering.RenderTest):
         total = sum(light for light, _, _ in lights)
         middle = [sum(light[0] * light[i] for light in lights) / total for i in (1, 2)]
         spread = sum(light * ((x - middle[0]) ** 2 + (y - middle[1]) ** 2) for light, x, y in lights) / total
-        return math.sqrt(8 * (spread - 1 / 6))  # 1/6: of a pixel's own square
+        return math.sqrt(8 * (spread - 1 / 6))
 
     def test_widest_aperture_and_the_lens_without_tilt(self):
         result = self.rendered("sharp_within 5")

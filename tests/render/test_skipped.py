@@ -28,11 +28,11 @@ class Skipped(rendering.RenderTest):
     def test_even_pixels_end_at_the_minimum(self):
         self.assertEqual(numbers("Ended at the minimum", said_of(EVEN)), [64 * 48, 64 * 48, 8])
         ended = numbers("Ended at the minimum", said_of(FLOOR + EVEN, view=LEVEL))
-        self.assertGreaterEqual(ended[0], 64 * 16)  # the blocks above the horizon
-        self.assertLess(ended[0], 64 * 24)  # no more than the sky
+        self.assertGreaterEqual(ended[0], 64 * 16)
+        self.assertLess(ended[0], 64 * 24)
 
     def test_first_round_is_longer_if_many_pixels_of_a_block_need_more(self):
-        """The horizon is in the first row of blocks, whose sky exceeds the minimum too."""
+        """The horizon lies in the first row of blocks, whose sky exceeds the minimum too."""
         self.assertEqual(numbers("Ended at the minimum", said_of(FLOOR + EVEN))[0], 0)
 
     def test_minimum_is_a_power_of_two(self):
@@ -66,7 +66,7 @@ class Skipped(rendering.RenderTest):
         rebuilt = numbers("Reconstruction", said_of(ball + wall))
         self.assertGreater(rebuilt[0], 100)
         self.assertGreater(rebuilt[1], 1000)
-        # outlines before the background are rebuilt; the background has no noise
+        # only outlines have noise
         self.assertGreater(numbers("Reconstruction", said_of(ball + EVEN, "blur_samples 8, 16 variance 1/2000 "))[0], 100)
         small = ball.replace("0.3", "0.15")
         for samples in ("blur_samples 8, 16 variance 1/2000 ", "blur_samples 8, 4096 variance 1/200000 "):
@@ -138,7 +138,6 @@ class Skipped(rendering.RenderTest):
                 self.assertEqual(numbers("Around the lens", said_of(EVEN + solid + " " + rest + "}\n")), found)
 
     def test_known_and_tested_interiors_render_alike(self):
-        """Fog in a solid around the lens."""
         fog = "hollow pigment { rgbt 1 } interior { media { absorption 0.3 } } "
         lens = scenes.camera("scene_unit 100", 0.3, "blur_samples 8, 8 ")
         known, asked, without = (

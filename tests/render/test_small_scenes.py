@@ -1,10 +1,10 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Small and large units: shadows equal the plain camera's in moderate units or, beyond stock's range, in the same unit."""
+"""In small and large units, shadows equal the plain camera's in moderate units or, beyond stock's range, in the same unit."""
 
 from tests.render import rendering
 
-# powers of two, exact; at the first ones stock misses near shadows until it finds a far one of the same object
+# powers of two; at the first, stock misses near shadows until it finds a far one of the same object
 SCALES = ("1/256", "1/64", "1", "1024")
 EXTREME = ("1e-4", "3e-4", "1e6")
 POST = {
@@ -16,7 +16,6 @@ POST = {
 
 
 def scene(post, scale, block):
-    """Two lamps; no aperture, so that each pixel has one ray."""
     return (
         f"#declare S = {scale};\n"
         f"camera {{ right x*image_width/image_height location <0, 2, -9>*S look_at <1, -0.5, -3>*S angle 20 {block} }}\n"
@@ -45,7 +44,6 @@ class Shadows(rendering.RenderTest):
         self.check("csg", SCALES)
 
     def test_transparent(self):
-        """Its near shadows are omitted, as in stock."""
         self.check("glass", (), (*SCALES, *EXTREME))
 
 

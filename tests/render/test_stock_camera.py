@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Against POV-Ray's own camera: pinholes, shifts, size of blur."""
+"""Pinholes, shifts and the size of blur, compared with POV-Ray's own camera."""
 
 import math
 
@@ -42,7 +42,6 @@ class Pinhole(rendering.RenderTest):
         self.assert_near(rendering.render(own, **SIZE), rendering.render(sheared, **SIZE), 1e-4, "shear")
 
     def test_shift_by_whole_pixels(self):
-        """3.5 mm are 7 pixels, 2 mm are 4."""
         still = rendering.render(pinhole(""), **SIZE)
         moved = rendering.render(pinhole("shift <3.5, 2>"), **SIZE)
         self.assert_near(moved.crop(0, 4, 65, 54), still.crop(7, 0, 72, 50), 1e-3, "shift")
@@ -90,7 +89,6 @@ class BlurSize(rendering.RenderTest):
         self.assertLess(abs(light / stock_light - 1), 0.15, told)
 
     def test_blur_scales_with_aperture(self):
-        """Shows that the test fails for another aperture."""
         half = self.CAMERA.replace("aperture 2", "aperture 1")
         self.assertLess(
             self.spread(f"camera {{ {half}tilt_lens {{}} }}\n{self.SCENE}")[0],

@@ -15,12 +15,11 @@ WAITING = {
     "prescription": 'camera { location -5*z look_at 0 tilt_lens { prescription "pipe.inc" } }\n',
     "loop": "#while (1) #end\n",
 }
-PATIENCE = 100  # seconds; it takes about three
+PATIENCE = 100  # seconds
 
 
 class Stuck(rendering.RenderTest):
     def end(self, scene, number):
-        """The signal arrives during parsing."""
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             os.mkfifo(pathlib.Path(name) / "pipe.inc")
             process = rendering.Job(scene).start(pathlib.Path(name))

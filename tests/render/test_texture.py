@@ -46,7 +46,7 @@ def camera(place, samples, items, seed):
 
 PICTURE_QUALITY = "blur_samples 256 variance 1/8000"
 SIZE = (192, 128)
-CASES = {  # where the camera is and looks; samples; lens; world; size if not SIZE
+CASES = {  # camera, samples, lens, world, size if not SIZE
     "blurred wall": (
         "location <0, 2.2, -7> look_at <-1.5, 2, 5> angle 6.3 focal_point <0, 0.5, 0>",
         PICTURE_QUALITY,

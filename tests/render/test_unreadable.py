@@ -1,6 +1,5 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Folders in place of files, and unreadable pictures, are refused with name and line."""
 
 import concurrent.futures
 import pathlib
@@ -21,7 +20,6 @@ UNREADABLE = {
 
 class Folders(rendering.RenderTest):
     def refused(self, scene, *options):
-        """Fails a test if a picture exists."""
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             folder = pathlib.Path(name)
             (folder / "folder").mkdir()

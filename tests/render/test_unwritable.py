@@ -64,8 +64,6 @@ class Unwritable(unittest.TestCase):
         self.assertEqual(again[0], 0, again[1])
 
     def test_text_file_beyond_the_size_limit(self):
-        """Closed by the scene or left open, longer than a buffer or shorter."""
-
         def limit():
             resource.setrlimit(resource.RLIMIT_FSIZE, (8192, 8192))
 

@@ -1,6 +1,5 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Shared by the tests of the pinned source."""
 
 import hashlib
 import io
@@ -13,7 +12,7 @@ from tests.setup.scratch import CMAKE, REPOSITORY, SetupTest
 TARBALL = "povray_1.orig.tar.gz"
 PACKAGING = "povray_1-2.debian.tar.xz"
 TARGET = "LICENSE"  # the upstream file that this test's patches change
-NO_NETWORK = "http://127.0.0.1:9"  # the discard port: refuses at once
+NO_NETWORK = "http://127.0.0.1:9"  # the discard port refuses at once
 
 # small enough to be unpacked a dozen times
 ORIG = {

@@ -100,7 +100,7 @@ class AptSettings(SetupTest):
         self.assert_fails_saying(process, "name no mirror of its release")
 
     def test_no_network(self):
-        mirror = "http://127.0.0.1:9/debian"  # the discard port: refused at once, without a look-up
+        mirror = "http://127.0.0.1:9/debian"  # the discard port refuses at once, without a look-up
         env = self.settings(main=f"deb [trusted=yes] {mirror} {CODENAME} main\n")
         before = {path: path.read_bytes() for path in self.folder.rglob("*") if path.is_file()}
         process = self.run_command(FETCH, "fetch", "povray", self.folder / "target", "3.7.0.10", env=env)

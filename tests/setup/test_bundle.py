@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The bundle loads only glibc from outside, contains every licence, and renders from any folder. on_fresh_debian, which needs root,
-tries it on bare systems."""
+"""The bundle loads only glibc from outside, contains every licence, and renders from any folder. cmake/bundle/on_fresh_debian tries it on
+bare systems."""
 
 import os
 import pathlib

@@ -37,7 +37,6 @@ class CommandTest(SetupTest):
         self.tool("sudo", "exit 1")
 
     def tool(self, name, text):
-        """A stand-in for NAME, first in PATH."""
         path = self.tools / name
         path.write_text(f"#!/bin/bash\n{text}\n", encoding="utf-8")
         path.chmod(0o755)
@@ -347,7 +346,6 @@ class SetupsAtOnce(BuiltProgram):
         self.assertEqual((self.build / "builds").read_text(encoding="utf-8"), "built\n")
 
     def with_cmake_file(self, time):
-        """The configuration has the time 1000."""
         (self.build / "build.ninja").write_text(
             "rule configure\n  command = echo configured >> builds && touch build.ninja\n  generator = 1\n"
             "build build.ninja: configure listfile\nbuild povray: phony\n",
@@ -369,8 +367,6 @@ class SetupsAtOnce(BuiltProgram):
 
 
 class FastBuild(CommandTest):
-    """Its steps only; a real build takes minutes."""
-
     def setUp(self):
         super().setUp()
         self.fast = self.built("povray") / "fast"
@@ -508,8 +504,6 @@ class SetupStep(CommandTest):
 
 
 class OtherSystems(CommandTest):
-    """Systems without apt and dpkg."""
-
     EVERYWHERE = (
         "awk",
         "bash",

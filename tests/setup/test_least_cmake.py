@@ -1,9 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The oldest CMake that the build accepts: all files agree, and no command or option is newer.
-
-CMake's manual states the version that added each.
-"""
+"""The oldest CMake that the build accepts: all files agree, and CMake's manual shows no newer command or option."""
 
 import json
 import re
@@ -12,7 +9,7 @@ import unittest
 
 from tests.setup.scratch import CMAKE, REPOSITORY, SetupTest
 
-# reads a version of CMakePresets.json
+# the least CMake for each version of CMakePresets.json
 PRESETS = {1: (3, 19), 2: (3, 20), 3: (3, 21), 4: (3, 23), 5: (3, 24), 6: (3, 25), 7: (3, 27), 8: (3, 28), 9: (3, 30), 10: (3, 31)}
 
 
@@ -47,7 +44,7 @@ def added(section):
 
 
 def calls(text):
-    """With the words in capitals among the arguments."""
+    """Calls, with the words in capitals among the arguments."""
     text = re.sub(r"#.*", "", text)
     for call in re.finditer(r"\b([a-z_]+)\(((?:\"(?:\\.|[^\"\\])*\"|[^()\"])*)", text):
         yield call[1], re.findall(r"\b[A-Z][A-Z_]+\b", re.sub(r"\"(?:\\.|[^\"\\])*\"", "", call[2]))

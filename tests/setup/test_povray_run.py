@@ -31,7 +31,6 @@ class Runs(SetupTest):
         return povray_run.run(command, folder or self.folder, env)
 
     def test_user_settings_change_nothing(self):
-        """Neither POVINI's INI file nor one in the current folder."""
         for name in ("user.ini", "povray.ini"):
             (self.folder / name).write_text("Width=16\nOutput_File_Type=J\n+W16\nInput_File_Name=none.pov\nFinal_Frame=3\n")
         with unittest.mock.patch.dict(os.environ, {"POVINI": str(self.folder / "user.ini"), "DISPLAY": ":77"}):
@@ -90,7 +89,6 @@ class Sources(SetupTest):
 
 class OneModule(unittest.TestCase):
     def test_no_other_file_says_it_again(self):
-        """Command lines, the user's INI file, #include, state files."""
         found = []
         for package in ("tools", "benchmarks", "experiments", "tests"):
             for path in sorted((REPOSITORY / package).rglob("*.py")):

@@ -137,7 +137,6 @@ class FileNames(RenderTest):
                     os.unlink(scene)
 
     def test_long_names_of_other_files(self):
-        """The picture, INI files, include folder; and a missing scene."""
         scene = pathlib.Path(self.long_path("\u00e4", 3000))
         shutil.copy(self.place / self.scene(), scene)
         for include in ("gr\u00fcn.inc", "\u00c4 \u4e00.inc"):

@@ -103,7 +103,6 @@ class Upstream(SourcePackageTest):
         self.assertEqual(list(self.downloads.iterdir()), [])
 
     def test_interrupted_unpacking_is_reported_and_leaves_no_tree(self):
-        # imitates a full disk
         tools = self.folder / "tools"
         tools.mkdir()
         (tools / "tar").write_text(

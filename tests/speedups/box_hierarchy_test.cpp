@@ -187,7 +187,7 @@ TEST(BoxHierarchy, MemoryIsAsDocumented)
         EXPECT_LE(Scene(Boxes(number, number, 10.0, 0.04)).hierarchy.Bytes(), 110u * number);
 }
 
-/// Along one axis or two, from faces, edges and corners, where rounding decides.
+/// Rounding decides for rays along one axis or two, from faces, edges and corners.
 TEST(BoxHierarchy, FindsBoxesByRaysAlongAxesAndOnFaces)
 {
     std::vector<BoxItem> items;

@@ -39,7 +39,6 @@ class LatticeNoiseTest : public testing::Test
             GTEST_SKIP() << "This processor has no AVX2.";
     }
 
-    /// One corner's part of a component.
     double Corner(const Point& point, int component, bool farX, bool farY, bool farZ) const
     {
         const bool isFar[] = {farX, farY, farZ};

@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Hierarchies of tilt_lens scenes (scene_hierarchy.h) against POV-Ray without bounding (-MB): types of objects, random scenes, sizes from
-1e-9 to 1e12, rays along axes and on faces, equal depth.
+"""Hierarchies of tilt_lens scenes give the pictures that POV-Ray renders without bounding (-MB).
 
 An empty tilt_lens block keeps the camera's rays. Stock's hierarchy (+MB) misses some rays along faces of boxes."""
 
@@ -187,7 +186,6 @@ class EveryObject(rendering.RenderTest):
         self.assert_as_without_boxes(LIGHTS + FLOOR + world, "degenerate")
 
     def test_equal_depth(self):
-        """The object named first is visible."""
         for count in (3, 40):
             boxes = [
                 f"box {{ -1, 1 pigment {{ rgb <{i % 3/2}, {i/count:.3f}, {1 - i/count:.3f}> }} finish {{ ambient 1 diffuse 0 }} }}\n"

@@ -53,7 +53,6 @@ LEAVES = {
     "all wanted": "mesh { #for (I, 1, 150) Leaf() #end inside_vector <1, 2, 3> }",
     "one by one": "#for (I, 1, 150) mesh { Leaf() } #end",
 }
-# every feature that queries meshes
 ASKED = """
 #macro Corner(A, B) <cos(A)*cos(B), sin(B), sin(A)*cos(B)> #end
 #declare Ball = mesh { #for (I, 0, 23) #for (J, -6, 5)
@@ -77,7 +76,6 @@ global_settings { photons { count 3000 } }
 WORLD = LIGHT + NESTED + SCATTERED + MESHES + INFINITE
 CAMERAS = {
     "perspective": "camera { location <0.3, 0.8, -4> look_at <0, 0.7, 0> }\n",
-    # all along an axis; in mirrors two
     "along an axis": "camera { orthographic location <0.1, 0.7, -4> direction z right 4*x up 3*y }\n",
 }
 TILTED = (

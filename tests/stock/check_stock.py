@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Compares the pixels of one scene without tilt_lens, rendered by the unpatched program and by the fork.
 
-Files contain dates and versions, so 16-bit decoded pixels are compared. Both use one thread, on which radiosity and area lights depend."""
+Files contain dates, so 16-bit decoded pixels are compared. Both use one thread, on which radiosity and area lights depend."""
 
 import argparse
 import hashlib
@@ -39,7 +39,7 @@ def render(program, args, folder):
         if neighbour.is_file():
             shutil.copyfile(neighbour, folder / neighbour.name)
     picture = folder / "picture.png"
-    # unknown to the unpatched program; the fork lets no scene write in the build folder, as one does
+    # unknown to the unpatched program; needed for a scene that writes in the build folder
     unrestricted = ["--unrestricted"] if folder.name == "fork" else []
     command = povray_run.command(
         program,

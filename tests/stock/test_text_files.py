@@ -38,7 +38,6 @@ class TextFiles(unittest.TestCase):
         )
 
     def test_last_of_its_file(self):
-        """Not even a line end follows."""
         for end in ("\n", "\r\n", "\r"):
             with self.subTest(end=end):
                 self.check(

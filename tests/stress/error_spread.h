@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file error_spread.h
-/// Errors by powers of ten, and the worst.
+/// Counts errors by powers of ten, and keeps the worst.
 
 #ifndef TILT_LENS_TESTS_ERROR_SPREAD_H
 #define TILT_LENS_TESTS_ERROR_SPREAD_H

@@ -1,9 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// @file error_spread_test.cpp
-/// Every error is counted, however large.
-
 #include <limits>
 
 #include <gtest/gtest.h>

@@ -34,7 +34,6 @@ inline double DistanceToFocus(const Request& r)
     return Length(r.given.focalPoint - r.camera.location);
 }
 
-/// By normal and point, as in a scene.
 inline void SetPlane(Request& r, const Vec3& normal, const Vec3& point)
 {
     r.given.family = FocusFamily::FocalPlane;
@@ -50,7 +49,7 @@ inline void PullTilt(Random& random, Request& r, FilmPoint&)
     r.given.focalPoint = r.camera.location + DistanceToFocus(r) * AxisOf(r.camera);
 }
 
-/// Parallel to the ray up to 1e-12, or exactly: the focus is almost at infinity.
+/// Makes rays parallel to the plane, exactly or up to 1e-12, so that they focus almost at infinity.
 inline void PullParallel(Random& random, Request& r, FilmPoint& at)
 {
     if (random.Coin())
@@ -66,7 +65,6 @@ inline void PullParallel(Random& random, Request& r, FilmPoint& at)
     SetPlane(r, normal, r.camera.location + DistanceToFocus(r) * random(-1.0, 1.0) * across);
 }
 
-/// The plane crosses the frame close to the lens.
 inline void PullThroughView(Random& random, Request& r, FilmPoint&)
 {
     const Vec3 axis = AxisOf(r.camera);
@@ -110,7 +108,7 @@ inline void PullFartherCamera(Random& random, Request& r, FilmPoint&)
     MoveAway(random, r, 1e12);
 }
 
-/// The whole world is scaled, with or without the scene unit.
+/// Scales the whole world, with or without the scene unit.
 inline void PullScale(Random& random, Request& r, FilmPoint&)
 {
     const double scale = random.Power(-9.0, 9.0);
@@ -146,7 +144,7 @@ inline void PullFilm(Random& random, Request& r, FilmPoint&)
         r.given.focalLength = *r.given.focalLength * ratio;
 }
 
-/// Down to a telescope's angle of view, and far below.
+/// Narrows the angle of view to a telescope's, and far below.
 inline void PullNarrow(Random& random, Request& r, FilmPoint&)
 {
     const double share = random.Power(-9.0, -4.0);
@@ -160,11 +158,10 @@ inline void PullNothing(Random&, Request&, FilmPoint&) {}
 
 inline void PullCorners(Random& random, Request&, FilmPoint& at)
 {
-    const double middle = 0.5 - 0.5e-5;  // of the last pixel of 100,000
+    const double middle = 0.5 - 0.5e-5;
     at = {Sign(random) * middle, Sign(random) * middle};
 }
 
-/// Some numbers become extremes of floating point.
 inline void PullOddNumbers(Random& random, Request& r, FilmPoint&)
 {
     Statement& s = r.given;

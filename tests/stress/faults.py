@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Faults around a render: killed, disk, memory, standard output."""
+"""Faults around a render: it is killed, or the disk, memory or standard output fails."""
 
 import os
 import pathlib
@@ -17,7 +17,6 @@ from tools import povray_run
 KILLS = 50
 SIZE = {"width": 96, "height": 72}
 LIMITS = "blur_samples 64, 300 variance 1/10000 "
-# fixed and adaptive samples, with and without neighbours
 SLOW = scenes.camera(samples="blur_samples 300 variance 0 ") + scenes.WORLD
 WAYS = (
     SLOW,
@@ -33,11 +32,9 @@ def use(setup):
 
 
 def run(folder, scene, *options, through=(), **how):
-    """Exit code and messages. `how`: for povray_run.run()"""
     job = rendering.Job(scene, options, **how.pop("size", SIZE))
     job.write(folder)
     done = povray_run.run([*through, *job.command()], folder, **how)
-    # for users without settings
     return done.code, "\n".join(line for line in done.said.splitlines() if "configuration file" not in line)
 
 
@@ -50,13 +47,13 @@ def is_whole(path, whole):
 
 
 def torn(folder, whole):
-    """A truncated picture has the picture's name."""
+    """True if a truncated picture has the picture's name."""
     path = folder / "picture.png"
     return path.exists() and path.stat().st_size > 0 and not is_whole(path, whole)
 
 
 def killed(count, wholes, stop):
-    """Stopped at random and continued: the same pixels, no finished work repeated."""
+    """Renders stopped at random and continued have the same pixels, and repeat no finished work."""
     r = random.Random(int(stop))
     found = {"tries": count, "same": 0, "torn": 0, "kept": 0, "before_first_block": 0, "after_end": 0}
     usual = []
@@ -83,7 +80,6 @@ def one_kill(folder, scene, whole, stop, moment):
     state = list(folder.glob("*.pov-state"))
     stored = state[0].stat().st_size if state else 0
     said = rendering.Job(scene, (*OPTIONS, "+C"), **SIZE).run(folder)
-    # holds at least one block
     kept = stored < 5000 or "Pixels:" in said and _pixels(said) < SIZE["width"] * SIZE["height"]
     return {"same": is_whole(folder / "picture.png", whole), "torn": tear, "kept": kept, "before_first_block": not state, "after_end": late}
 
@@ -113,7 +109,6 @@ def case(name, code, said, whole, folder, words):
 
 
 def environment(whole):
-    """Disk, folder, standard output, address space, two renders in one folder."""
     rows = []
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name) / "full"
@@ -177,7 +172,6 @@ def read_only(folder, whole):
 
 
 def listening(whole, kind):
-    """Without a reader: a finished picture or a failing exit code."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)
         if kind == "closed":
@@ -204,7 +198,6 @@ def listening(whole, kind):
 
 
 def two_in_one_folder(whole):
-    """After each end, the file is complete."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)
         job = rendering.Job(SLOW, OPTIONS, **SIZE)

@@ -92,7 +92,6 @@ def grammar(setup, work, tree, count):
 
 
 def measure(setup, count=BLOCKS, runs=0, seconds=SECONDS):
-    """The preset fuzz if built, else the release build."""
     work = setup.work("fuzz")
     sanitized = setup.build / "fuzz"
     built = (sanitized / "tests" / "fuzz" / "parse_blocks").is_file() and (sanitized / "bin" / "povray").is_file()

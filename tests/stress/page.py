@@ -138,7 +138,6 @@ def rays_section(result):
 
 
 def plot(name, label, powers, spreads):
-    """By powers of ten of the error."""
     lines = [
         "\n".join(f"{power} {spread['by_power'].get(str(power), 0) / max(1, spread['count'])}" for power in powers) for _, spread in spreads
     ]

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Correct pictures whatever the sampler: constant surroundings, mirrors, moved worlds, noise.
 
-Independent pictures as in tests/reference/scenes/batch.inc: a wider frame gives a film point other samples.
+Independent pictures have a wider frame, which gives a film point other samples (tests/reference/scenes/batch.inc).
 """
 
 import math
@@ -31,14 +31,12 @@ def use(setup):
 
 
 def random_lens(r):
-    """The camera looks along z."""
     kind = r.randrange(4)
     if kind == 0:
         focus = f"tilt {r.uniform(-60, 60):.4f} swing {r.uniform(-60, 60):.4f} "
     elif kind == 1:
         focus = f"focus_tilt {r.uniform(-85, 85):.4f} focus_swing {r.uniform(-85, 85):.4f} "
     else:
-        # in front
         n = (r.uniform(-2, 2), r.uniform(-2, 2), 1.0)
         z = 10 ** r.uniform(-0.5, 3)
         if kind == 2:
@@ -129,7 +127,6 @@ def picture(scene, batch=0):
 
 
 def independent(scene_of, count, jobs):
-    """scene_of(batch) has a frame wider by `batch`."""
     return results.in_parallel(jobs, lambda k: picture(scene_of(9 * k + 1), 9 * k + 1).values, range(count))
 
 
@@ -181,7 +178,6 @@ def mirrors(setup, count, pictures):
 
 
 def moved_worlds(setup, count):
-    """The same picture up to rounding at edges."""
     r = random.Random(12)
     jobs = []
     for _ in range(count):
@@ -203,7 +199,7 @@ def moved_worlds(setup, count):
 
 
 def noise(setup, most, pictures):
-    """Between independent pictures, mean over pixels; fitted slope."""
+    """Mean difference of independent pictures, and its fitted slope."""
     rows = []
     samples = 8
     while samples <= most:
@@ -240,7 +236,6 @@ def students_quantile(p, freedom):
     scale = math.exp(math.lgamma((freedom + 1) / 2) - math.lgamma(freedom / 2)) / math.sqrt(freedom * math.pi)
 
     def beyond(t, steps=4000):
-        # with t/x as the variable
         total = 0.0
         for i in range(steps):
             x = (i + 0.5) / steps

@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file rays.cpp
-/// Solver and rays against 50 digits: `stress_rays SET CAMERAS SEED` writes JSON. SET: `random` (photography) or one of
+/// Compares solver and rays with 50 digits: `stress_rays SET CAMERAS SEED` writes JSON. SET: `random` (photography) or one of
 /// extreme_cameras.h.
 ///
-/// Errors of a ray. Last places: length of the difference over that of the direction, over 2^-52. Pixels, of 100,000: on the film, to
-/// the point whose true ray has this direction. A lens that reaches to the film flips that map (its determinant 1 - k.l passes 0); the
-/// angle in the chief ray's pixels counts if smaller.
+/// Errors of a ray are in last places (2^-52 of the direction's length) and in pixels of 100,000: on the film, to the point whose true ray
+/// has this direction, or, if smaller, as an angle in the chief ray's pixels. A lens that reaches to the film flips the former map.
 ///
-/// In a narrow picture the last places alone exceed a millionth of a pixel: there the error is relative to rounding to nearest, and to
-/// the largest angle of such a rounding.
+/// In a narrow picture, one last place exceeds a millionth of a pixel. There the error is relative to rounding to nearest.
 
 #include <cstdio>
 #include <fstream>
@@ -35,18 +33,17 @@ using Exact = boost::multiprecision::cpp_bin_float_50;
 using V = Vec<Exact>;
 using nlohmann::json;
 
-const double kPictureWidth = 1e5;  ///< pixels
+const double kPictureWidth = 1e5;
 
-/// Beyond it, 1e-6 of a pixel is below a direction's last place: 100,000 pixels in less than 0.0013 degrees.
+/// Beyond it, 1e-6 of a pixel is below a direction's last place.
 const double kNarrow = 1e-6 / 0x1p-52;
 
-/// One of so many cameras also tries the obvious formula.
 const std::uint64_t kObviousEvery = 8;
 
 struct Errors
 {
     double ulps, pixels, origin, condition, pixelsPerRadian;
-    double roundedPixels;  ///< of the true direction, rounded to nearest
+    double roundedPixels;  ///< error of the true direction, rounded to nearest
     double roundings;  ///< angle over the largest by rounding to nearest
 };
 
@@ -55,7 +52,7 @@ double AsDouble(const Exact& value)
     return value.convert_to<double>();
 }
 
-/// Film point with this true direction through l, as an offset in pixels.
+/// Offset, pixels, of the film point with this true direction through l.
 double FilmOffset(const V& right, const V& up, const V& truth, const V& direction)
 {
     const Exact a = direction.Dot(right.Cross(up)), b = truth.Dot(direction.Cross(up)), c = truth.Dot(right.Cross(direction));
@@ -66,7 +63,6 @@ double FilmOffset(const V& right, const V& up, const V& truth, const V& directio
     return std::hypot(dx, dy) * kPictureWidth;
 }
 
-/// Equals the angle if that is small.
 Exact AngleBetween(const V& a, const V& b)
 {
     return a.Cross(b).Length() / (a.Length() * b.Length());
@@ -113,7 +109,7 @@ Errors ErrorsOf(const ReferenceCamera<Exact>& reference, const CameraFrame& came
             narrow ? AsDouble(AngleBetween(truth.direction, direction) / MostByRounding(truth.direction)) : 0.0};
 }
 
-/// Normalised difference of the point of sharp focus and the lens point.
+/// Uses the normalised difference of the point of sharp focus and the lens point.
 Vec3 Obvious(const Lens& lens, double x, double y, double a, double b)
 {
     const Vec3 chief = lens.direction + x * lens.right + y * lens.up;
@@ -123,7 +119,6 @@ Vec3 Obvious(const Lens& lens, double x, double y, double a, double b)
     return Normalized(P - (a * lens.lensX + b * lens.lensY));
 }
 
-/// the library accepts such a lens with a warning
 bool ReachesFilm(const Lens& lens)
 {
     return std::hypot(Dot(lens.lensX, lens.axis), Dot(lens.lensY, lens.axis)) >= lens.filmDistance;
@@ -133,7 +128,7 @@ struct Run
 {
     std::uint64_t cameras = 0, refused = 0, rays = 0, broken = 0, obviousBroken = 0, reachFilm = 0;
     Spread ulps, wellPosed, pixels, narrowPixels, narrowRounded, narrowRoundings, reachPixels, obviousPixels, origin;
-    std::map<std::string, std::uint64_t> refusals;  ///< by the first words of the message
+    std::map<std::string, std::uint64_t> refusals;
     json worst = json::object();
 
     void Camera(Random& random, const Request& request, const FilmPoint& at);
@@ -142,7 +137,6 @@ struct Run
     void KeepWorst(const Request& request, double x, double y, double a, double b, const Errors& e);
 };
 
-/// Words before the first number or vector.
 void Run::Refuse(const std::string& message)
 {
     refused++;

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Ten million random cameras and each extreme, against 50 digits."""
+"""Ten million random cameras and each extreme, compared with 50 digits."""
 
 from tests.stress import results
 
@@ -43,7 +43,6 @@ def merge(tallies):
         for t in tallies:
             for power, count in t[name]["by_power"].items():
                 powers[power] = powers.get(power, 0) + count
-        # infinity is null in JSON
         worst = [t[name]["worst"] for t in tallies]
         total[name] = {"count": sum(t[name]["count"] for t in tallies), "by_power": powers, "worst": None if None in worst else max(worst)}
     total["refusals"] = {}

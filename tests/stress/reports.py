@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Parses sanitizers' reports: the findings, their code, and whether they are known.
 
-A finding is ours if one of our files is in its stacks. ThreadSanitizer's suppressions match any frame and could hide a whole thread;
-here both sides' innermost functions must be known."""
+A finding is ours if one of our files is in its stacks. It is known if both sides' innermost functions are; ThreadSanitizer's own
+suppressions match any frame, and could hide a whole thread."""
 
 import collections
 import pathlib
@@ -29,9 +29,7 @@ SIDE = re.compile(r"^  (?!Location)\S.* of size \d+ at 0x.*\n((?:    [#\[].*\n?)
 LOST = "failed to restore the stack"
 FRAME = re.compile(r"^    #\d+ (.*?) (\S+?)(?::\d+)*(?: \([^()]*\))?$", re.MULTILINE)
 LIBRARIES = ("<null>", "/usr/", "../../../../src/libsanitizer")  # their callers count instead
-SMALL = re.compile(
-    r"pov::Vector3d::|pov_base::Generic\w*Colour<|pov::pov_(?:malloc|calloc|free)\(|pov::dot\(|\S+::~?ot_\w+_struct\("
-)  # and of these
+SMALL = re.compile(r"pov::Vector3d::|pov_base::Generic\w*Colour<|pov::pov_(?:malloc|calloc|free)\(|pov::dot\(|\S+::~?ot_\w+_struct\(")
 
 
 def innermost(stack):
@@ -51,7 +49,6 @@ def known(block, names):
 
 
 def suppressed(tool):
-    """Names in a tool's file, each below its reason."""
     pairs, reason = [], []
     lines = (SUPPRESSIONS / f"{tool}.txt").read_text().split("\n\n", 1)[1].splitlines()
     for number, line in enumerate(lines):
@@ -71,7 +68,6 @@ def findings(folder, suppress=True):
     names = [name.split(":", 1)[1] for name, _ in suppressed("tsan")] if suppress else []
     ours, others, met = [], [], collections.Counter()
     for path in pathlib.Path(folder).glob("log.*"):
-        # messages may come in between
         text = THREADS.sub(lambda report: FOREIGN.sub("", report[0]), path.read_text(errors="replace"))
         for block in BLOCKS.findall(text):
             pair = known(block, names)

@@ -1,6 +1,5 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Shared by the stress run: folders, results, parallel work."""
 
 import concurrent.futures
 import dataclasses
@@ -17,9 +16,9 @@ RESULTS = ROOT / "docs" / "numerics"
 
 @dataclasses.dataclass
 class Setup:
-    build: pathlib.Path  # the release build
+    build: pathlib.Path
     jobs: int = os.cpu_count() or 1
-    unfinished: pathlib.Path | None = None  # folder of unfinished work; by default in the build
+    unfinished: pathlib.Path | None = None
 
     @property
     def povray(self):

@@ -17,7 +17,7 @@ from tests.stress import page, results
 from tools.repository import BUILD
 
 PARTS = ("rays", "sampler", "pictures", "sanitizers", "fuzz", "faults", "soak", "scale", "shortly")
-# additional programs of the long forms; the Debian packages have the same names
+# additional programs of the long forms, with the names of their Debian packages
 TOOLS = {"sanitizers": "valgrind"}
 QUICK = {
     "rays": {"cameras": 20_000, "extreme": 1000, "shard": 10_000},
@@ -31,7 +31,6 @@ QUICK = {
 
 
 def quickly(setup, names):
-    """No run takes another's results."""
     broken = []
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as folder:
         setup = dataclasses.replace(setup, unfinished=pathlib.Path(folder))
@@ -42,7 +41,6 @@ def quickly(setup, names):
 
 
 def at_length(setup, names):
-    """Results without faults are stored."""
     broken = []
     for name in names:
         part = importlib.import_module(f"tests.stress.{name}")

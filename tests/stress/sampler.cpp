@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sampler.cpp
-/// `stress_sampler LOG2_SAMPLES` writes JSON: quality of 2-D projections up to 2^LOG2_SAMPLES samples, repeats, the end of the index,
-/// the lens pair's star discrepancy, correlation of neighbours.
+/// `stress_sampler LOG2_SAMPLES` writes JSON: quality of 2-D projections up to 2^LOG2_SAMPLES samples, repeats, the end of the index, the
+/// lens pair's star discrepancy, correlation of neighbours.
 ///
-/// H. Niederreiter, "Random Number Generation and Quasi-Monte Carlo Methods" (1992), theorem 4.7: a (0, m, 2)-net in base 2 has N D* <=
-/// m/2 + 3/2. J. H. Halton, S. K. Zaremba, "The extreme and L2 discrepancies of some plane sets" (1969): Hammersley's N = 2^m points
-/// have N D* = m/3 + 13/9 - (-1)^m 4/(9 N).
+/// Bounds: a (0, m, 2)-net in base 2 has N D* <= m/2 + 3/2 (H. Niederreiter, "Random Number Generation and Quasi-Monte Carlo Methods",
+/// 1992, theorem 4.7); Hammersley's N = 2^m points have N D* = m/3 + 13/9 - (-1)^m 4/(9 N) (J. H. Halton, S. K. Zaremba, "The extreme and
+/// L2 discrepancies of some plane sets", 1969).
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +49,6 @@ std::vector<Point> Projection(const PixelSampler& sampler, int d, int e, std::ui
     return points;
 }
 
-/// True if all of 2^i by 2^j boxes have the same count.
 bool IsEven(const std::vector<Point>& points, int i, int j)
 {
     std::vector<std::uint32_t> count(std::size_t(1) << (i + j));
@@ -73,12 +72,12 @@ int Quality(const std::vector<Point>& points, int m)
     return m;
 }
 
-/// Exact, over boxes [0, x) x [0, y) and their closures, corners at coordinates of points.
+/// Exact, over boxes [0, x) x [0, y) and their closures with corners at coordinates of points.
 double StarDiscrepancy(std::vector<Point> points)
 {
     std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.x < b.x; });
     const double n = double(points.size());
-    std::vector<double> ys = {0.0, 1.0};  // of the points to the left, in order
+    std::vector<double> ys = {0.0, 1.0};
     double worst = 0.0;
     for (std::size_t i = 0; i <= points.size(); i++)
     {
@@ -142,7 +141,6 @@ json Discrepancies(int most)
     return rows;
 }
 
-/// Repeats in a coordinate, as by a period.
 std::uint64_t Repeated(const PixelSampler& sampler, int dimension, std::uint32_t count)
 {
     std::vector<double> values;
@@ -152,7 +150,6 @@ std::uint64_t Repeated(const PixelSampler& sampler, int dimension, std::uint32_t
     return count - std::uint64_t(std::unique(values.begin(), values.end()) - values.begin());
 }
 
-/// Around 2^20, 2^31 and the last: in range, and different.
 std::uint64_t OverflowFaults(const PixelSampler& sampler)
 {
     std::uint64_t wrong = 0;
@@ -166,7 +163,7 @@ std::uint64_t OverflowFaults(const PixelSampler& sampler)
     return wrong;
 }
 
-/// In standard errors, the largest of some integrands.
+/// Largest correlation of some integrands, in standard errors.
 double NeighbourCorrelation(int samples, std::uint32_t dx, std::uint32_t dy, std::uint32_t side)
 {
     double worst = 0.0;

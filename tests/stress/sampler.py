@@ -20,7 +20,7 @@ def faults(result):
             found.append(f"star discrepancy: {row}")
         if abs(row["hammersley"] - row["hammersley_known"]) > 1e-9:
             found.append(f"the discrepancy of Hammersley's points is wrong: {row}")
-    # 27 correlations: one past 4.5 standard errors has a chance of 2e-4
+    # one of 27 correlations exceeds 4.5 standard errors with a chance of 2e-4
     for row in result["correlation"]:
         found += [
             f"neighbours {where}: {row[where]:.1f} standard errors at {row['samples']} samples"

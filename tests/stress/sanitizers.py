@@ -16,12 +16,11 @@ from tools import povray_run
 from tools.repository import ROOT, module_command
 
 TUTORIAL = sorted((ROOT / "scenes" / "tutorial").glob("*.pov"))
-MODULES = ("light", "noise")  # of tests/render: radiosity, photons, media, bokeh, all users of random numbers
+MODULES = ("light", "noise")  # radiosity, photons, media, bokeh, all users of random numbers
 LIT = {name: test_light.Renders.WORLDS[name] for name in ("radiosity", "photons", "media", "fog")}
 
 
 def environment(tool_suppressions=True):
-    """The program continues after findings."""
     named = f":suppressions={reports.SUPPRESSIONS}/ubsan.txt" if tool_suppressions else ""
     return {
         **os.environ,
@@ -33,7 +32,7 @@ def environment(tool_suppressions=True):
 
 
 def listener(program, folder, options=""):
-    """Keeps the program's standard error: not all of gcc's sanitizers support log_path. Later options take precedence."""
+    """Keeps the program's standard error, because not all sanitizers support log_path. Later options take precedence."""
     script = folder / "povray"
     script.write_text(f'#!/bin/bash\nexec "{program}" "$@" {options} 2> >(tee "{folder}/log.$$" >&2)\n')
     script.chmod(0o755)
@@ -50,7 +49,7 @@ def build(setup, preset):
 
 
 def watched(what, tool, commands, folder, work, suppressions=True):
-    """Commands that mostly wait, logs in a folder."""
+    """Runs commands, which mostly wait, with logs in a folder."""
 
     def run(command):
         done = povray_run.run(command, work, environment(suppressions), limit=None)
@@ -79,7 +78,6 @@ def tutorial(povray, threads):
 
 
 def lit(povray, threads, work):
-    """Behind a tilted lens, by all threads."""
     commands = []
     for name, world in LIT.items():
         scene = work / f"{name}.pov"

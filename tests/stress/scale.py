@@ -1,6 +1,5 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Time, work and memory against rows, samples and objects."""
 
 import math
 import pathlib
@@ -37,7 +36,6 @@ def spheres(count):
 
 
 def slope(rows, key, of):
-    """The slope is logarithmic."""
     xs = [math.log(row[key]) for row in rows]
     ys = [math.log(max(row[of], 0.01)) for row in rows]
     return statistics.linear_regression(xs, ys).slope
@@ -62,7 +60,7 @@ def measure(setup, size="full"):
 
 
 def faults(result):
-    """Superlinear growth; not of time, which depends on the load."""
+    """Superlinear growth, but not of time, which depends on the load."""
     found = [f"{key}: work grows with the power {value:.2f}" for key, value in result["work_slopes"].items() if value > 1.15]
     objects = result["objects"]
     each = (objects[-1]["peak_mib"] - objects[0]["peak_mib"]) * 1024 / (objects[-1]["objects"] - objects[0]["objects"])

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file slow_tasks.cpp
-/// A busy machine: a start of four seconds, sleep after queueing a task, so that it runs ahead, and before every second thread's tile.
-/// Prints how many lights the bounding task has copied.
+/// Imitates a busy machine: a slow start, and sleep after queueing a task and before every second thread's tile. Prints how many lights
+/// the bounding task has copied.
 
 #include <atomic>
 #include <chrono>

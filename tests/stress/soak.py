@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Memory leaks by frames, by tiles, and within a picture.
 
-jemalloc counts allocated bytes, whatever time and load: a leak adds at least the smallest block each time.
+jemalloc counts allocated bytes, whatever the load: a leak adds at least the smallest block each time.
 """
 
 import json
@@ -16,8 +16,8 @@ from tools import povray_run
 FRAMES, ROWS = (250, 500), (1536, 12288)
 SMALLEST = 8  # bytes of jemalloc's smallest block
 WIDTH, TILE = 64, 32
-PIXEL = 20  # bytes of a stored pixel: five floats
-# as JSON on standard error: at the end, and after each megabyte; without the threads' caches
+PIXEL = 20  # bytes: five floats
+# as JSON on standard error, without the threads' caches
 COUNTS = "tcache:false,stats_print:true,stats_print_opts:Jdablxeh,stats_interval:1000000,stats_interval_opts:Jdablxeh"
 HEAD = "#version 3.7; global_settings { assumed_gamma 1 }\n"
 MOVING = (
@@ -25,7 +25,6 @@ MOVING = (
     + scenes.camera("tilt 4 + 3*sin(clock) swing clock/4", samples="blur_samples 8, 32 ", tail="bokeh { pigment { gradient x } }")
     + scenes.WORLD
 )
-# equal tiles
 LARGE = (
     HEAD
     + """camera { right x*image_width/image_height location <0.4, 3, -3.5> look_at <0, 0, 0.2> angle 45 aperture 0.3
@@ -44,7 +43,6 @@ background { rgb <0.3, 0.5, 0.8> }
 
 
 def counts(said):
-    """Skips counts interrupted by messages."""
     found, at = [], said.find('{"jemalloc"')
     while at >= 0:
         try:
@@ -56,7 +54,6 @@ def counts(said):
 
 
 def render(setup, scene, size, *options):
-    """Allocated bytes at the end, and their peak."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         (pathlib.Path(name) / "scene.pov").write_text(scene)
         command = povray_run.command(setup.povray, "scene.pov", "picture.png", size, "-V", "-GA", *options)
@@ -68,7 +65,7 @@ def render(setup, scene, size, *options):
 
 
 def measure(setup, frames=FRAMES, rows=ROWS):
-    """Pictures by one thread: with two, the peak depends on which is faster."""
+    """Uses one thread: with two, the peak depends on which is faster."""
     work = setup.work("soak")
 
     def made(name, number, scene, size, *options):
@@ -95,7 +92,6 @@ def faults(result):
         if kept >= SMALLEST * more // size:
             found.append(f"{kept} bytes more are allocated at the end after {more} more {name}")
     few, many = result["rows"]
-    # beyond the picture, under eight bytes per pixel
     pixels = WIDTH * (many["rows"] - few["rows"])
     held = many["most"] - few["most"]
     if held > (PIXEL + 8) * pixels:

@@ -177,7 +177,6 @@ class Rays(unittest.TestCase):
                 self.assertEqual(len(rays.faults(self.tally(**{name: worst}))), 1)
 
     def test_reversed_rays_are_seen(self):
-        """Reversed rays of the obvious formula, with the focus behind the camera."""
         tally = self.tally()["corners"]
         self.assertEqual(len(rays.faults({"behind": tally})), 1)
         tally["obvious_pixels"]["by_power"]["30"] = 1

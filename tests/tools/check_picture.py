@@ -1,8 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Renders one picture with the fork and compares it with its reference.
+"""Renders one picture with the fork and compares it with its reference. The exit code is one of pictures.OUTCOMES.
 
-The exit code is one of pictures.OUTCOMES. Faults are printed, and shown on a local page.
+Faults are printed, and shown on a local page.
 """
 
 import argparse

@@ -25,7 +25,7 @@ using witness::Reference;
 enum ExitCode
 {
     kOk = 0,
-    kFailure = 1,  // of the tool itself: wrong usage, disk full
+    kFailure = 1,
     kDifferent = 2,
     kMissingReference = 3,
     kMissingPicture = 4,
@@ -146,7 +146,6 @@ void CompareNoisy(const Arguments& arguments)
     Conclude(report, test.passed, reason.str());
 }
 
-/// All channels of the decoded pixels, whatever the file around them.
 void CompareExact(const Arguments& arguments)
 {
     const Pair pair = LoadPair(arguments);
@@ -170,7 +169,7 @@ void Preview(const Arguments& arguments)
     Conclude(report, true, "");
 }
 
-/// Larger by the same number of pixels all round.
+/// Middle of a picture that is larger by the same number of pixels all round.
 Picture Middle(const Picture& whole, int width, int height)
 {
     const int left = (whole.width - width) / 2, top = (whole.height - height) / 2;

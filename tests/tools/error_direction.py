@@ -14,14 +14,13 @@ from tests.render import rendering
 
 SIDE = 64  # of the windows whose spectra are averaged, in pixels
 STEP = SIDE // 2
-PERIOD = 16  # side of a block
+PERIOD = 16  # pixels: side of a block
 LEAST = 1 / 16  # cycles per pixel: the eye takes slower changes for shades
 HALF_SECTOR = 15  # degrees
 FREQUENCY = numpy.fft.fftfreq(SIDE)
 
 
 def values_of(picture):
-    """Row by row; brighter than white counts as white."""
     values = numpy.array(picture.values).reshape(picture.height, picture.width, len(picture.names))
     return numpy.clip(values[..., [picture.names.index(name) for name in "RGB"]], 0, 1)
 

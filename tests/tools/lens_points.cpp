@@ -15,7 +15,7 @@ namespace
 
 const double kPi = std::acos(-1.0);
 
-/// From a primitive polynomial (Joe and Kuo 2008).
+/// Direction numbers of a primitive polynomial (Joe and Kuo 2008).
 std::array<std::uint32_t, 32> Directions(int degree, std::uint32_t coefficients, std::array<std::uint32_t, 3> m)
 {
     std::array<std::uint32_t, 32> v{};
@@ -39,7 +39,7 @@ std::array<std::uint32_t, 32> Directions(int degree, std::uint32_t coefficients,
 
 std::uint64_t Mixed(std::uint64_t x)
 {
-    x += 0x9e3779b97f4a7c15ull;  // splitmix64
+    x += 0x9e3779b97f4a7c15ull;
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
     x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
     return x ^ (x >> 31);
@@ -58,7 +58,6 @@ std::uint32_t Scrambled(std::uint32_t value, std::uint64_t seed)
     return result;
 }
 
-/// Area-preserving.
 void OnDisc(double u, double v, LensPoint& point)
 {
     const double radius = std::sqrt(u), angle = 2.0 * kPi * v;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file lens_points.h
-/// The oracle's points: four dimensions of Sobol's sequence (Joe and Kuo), Owen-scrambled with a seed for each batch. Batches are
-/// independent and unbiased, and stratified in every dimension.
+/// The oracle's points: four dimensions of Sobol's sequence (Joe and Kuo), Owen-scrambled with a seed for each batch, so that batches are
+/// independent and unbiased.
 
 #ifndef WITNESS_LENS_POINTS_H
 #define WITNESS_LENS_POINTS_H
@@ -20,8 +20,8 @@ struct LensPoint
     double a, b;              ///< on the lens: disc of radius 1 or the polygon in it
 };
 
-/// @param blades 0: disc; else corners of the polygon in the unit circle
-/// @param bladesAngle degrees, counter-clockwise; 0: a corner points right
+/// @param blades       0: disc; else corners of the polygon in the unit circle
+/// @param bladesAngle  degrees, counter-clockwise; 0: a corner points right
 std::vector<LensPoint> LensPoints(std::uint32_t count, std::uint32_t seed, int blades, double bladesAngle);
 
 } // namespace witness

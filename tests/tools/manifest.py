@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """MANIFEST.json, the list of reference pictures.
 
-tests/oracle/cases/NAME.json makes oracle/NAME.exr by the unpatched program; a scene in tests/reference/pictures.json makes
-renders/NAME.exr by the fork. Only update_references.py writes these."""
+tests/oracle/cases/NAME.json makes oracle/NAME.exr by the unpatched program; a scene in tests/reference/pictures.json makes renders/NAME.exr
+by the fork. Only update_references.py writes these."""
 
 import dataclasses
 import json
@@ -18,7 +18,7 @@ ORACLE_CASES = ROOT / "tests" / "oracle" / "cases"
 SCENES = ROOT / "tests" / "reference" / "scenes"
 SCENE_LIST = ROOT / "tests" / "reference" / "pictures.json"
 
-# Pictures with other samples (batch.inc): with fewer, the deviation has so few degrees of freedom that Gaussian limits fail correct pixels.
+# independent pictures (batch.inc): with fewer, Gaussian limits would fail correct pixels
 BATCHES = 16
 # linear, over all channels
 ORACLE_COMPARISON = {"kind": "limits", "rmse_max": 0.006, "mean_max": 0.0005}
@@ -41,12 +41,12 @@ FIELDS = [
 
 @dataclasses.dataclass
 class Entry:
-    name: str  # "oracle/tilt" or "renders/table"
-    scene: pathlib.Path  # the fork's scene
-    case: pathlib.Path  # the oracle's description; None for a picture of the fork's own
+    name: str
+    scene: pathlib.Path
+    case: pathlib.Path  # None for a picture of the fork's own
     width: int
     height: int
-    options: list  # of the fork
+    options: list
     batches: int  # independent pictures behind a reference of the fork's own
     comparison: dict
 
@@ -60,7 +60,6 @@ class Entry:
         return "new.png" if self.case else "new.exr"
 
     def job(self, povray, declare=()):
-        """`declare` holds Name=Value."""
         form = ["+FN16", "File_Gamma=1.0"] if self.case else ["+FE"]
         return pictures.Render(
             str(povray), self.scene, self.width, self.height, form + self.options + ["Declare=" + item for item in declare]

@@ -94,7 +94,7 @@ double SidakLimit(double significance, double count)
 
 ZTest TestNoisy(const Picture& picture, const Reference& reference, const ZTestSettings& settings)
 {
-    // one sample has `batches` times the variance of the mean; unknown (one batch): the floor remains
+    // one sample has `batches` times the variance of the mean; for one batch, the floor remains
     std::vector<double> deviation(picture.Size());
     for (std::size_t i = 0; i < picture.Size(); ++i)
         deviation[i] = std::max(settings.floor, reference.error.values[i] * std::sqrt(1.0 + reference.batches));

@@ -17,20 +17,19 @@ namespace witness
 struct PixelDifference
 {
     int x = 0, y = 0;
-    double difference = 0.0;  ///< new minus reference
+    double difference = 0.0;
 };
 
 struct Figures
 {
     double rootMeanSquare = 0.0;  ///< over all pixels and channels
-    double signedMean = 0.0;      ///< of new minus reference
+    double signedMean = 0.0;  ///< of new minus reference
     double largest = 0.0;         ///< absolute
     double largestLocalMean = 0.0;  ///< absolute, of the signed mean over boxes of 8 by 8 pixels, each channel
-    std::size_t different = 0;           ///< pixels with any channel different
-    std::vector<PixelDifference> worst;  ///< the largest first
+    std::size_t different = 0;
+    std::vector<PixelDifference> worst;
 };
 
-/// Both pictures must have one size.
 Figures Measure(const Picture& picture, const Picture& reference, std::size_t worstCount = 10);
 
 bool IsFinite(const Picture& picture);
@@ -46,7 +45,7 @@ struct ZTestSettings
 struct ZTest
 {
     double pixelLimit = 0.0, boxLimit = 0.0;  ///< in standard errors
-    double passing = 0.0;                     ///< share of pixels
+    double passing = 0.0;
     double largest = 0.0, largestBox = 0.0;   ///< in standard errors
     bool passed = false;
 };

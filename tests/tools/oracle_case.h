@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file oracle_case.h
-/// A case of the oracle in a photographer's terms (JSON), and its optics by the imaging equation and Scheimpflug's rule. The fork uses
-/// other formulas (docs/optics.md).
+/// A case of the oracle in a photographer's terms (JSON), and its optics by other formulas than the fork's.
 
 #ifndef WITNESS_ORACLE_CASE_H
 #define WITNESS_ORACLE_CASE_H
@@ -19,7 +18,6 @@
 namespace witness
 {
 
-/// In POV-Ray's terms.
 struct Transformation
 {
     enum class Kind
@@ -34,8 +32,8 @@ struct Transformation
 
 enum class Focus
 {
-    Lens,       ///< the lens is turned by tilt and swing, the plane passes through a point
-    PlaneTurn,  ///< the plane is turned by focus_tilt and focus_swing about a point
+    Lens,       ///< turned by tilt and swing, the plane passes through a point
+    PlaneTurn,  ///< turned by focus_tilt and focus_swing about a point
     Plane,      ///< normal and distance from the world's origin
     ThreePoints
 };
@@ -72,7 +70,7 @@ struct OracleCase
 struct CameraSolved
 {
     Vector location;              ///< lens centre
-    Vector direction, right, up;  ///< POV-Ray's vectors, including the shift
+    Vector direction, right, up;
     Vector focus;                 ///< k: plane of sharp focus is k.(X - location) = 1
     Vector lensNormal;            ///< unit, away from the film
     Vector lensX, lensY;          ///< of a lens point (a, b) with a^2 + b^2 <= 1

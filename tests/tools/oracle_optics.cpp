@@ -1,9 +1,9 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Optics of a case, independent of the fork: the imaging equation 1/u + 1/v = 1/f along the lens normal for a stated lens, in
-// homogeneous coordinates, which include images at infinity; Scheimpflug's rule for a stated plane. Camera frame: lens centre at the
-// origin, x right, y up, z into the scene, film at z = -s.
+// Optics of a case, independent of the fork: the imaging equation 1/u + 1/v = 1/f along the lens normal for a stated lens, in homogeneous
+// coordinates, which include images at infinity; Scheimpflug's rule for a stated plane. Camera frame: lens centre at the origin, x right,
+// y up, z into the scene, film at z = -s.
 
 #include <stdexcept>
 
@@ -58,7 +58,7 @@ Vector PlaneOfLens(const Vector& t, double f, double s)
     double weights[3];
     for (int i = 0; i < 3; ++i)
     {
-        const double v = -Dot(film[i], t);  // image distance along the lens normal
+        const double v = -Dot(film[i], t);
         images[i] = -f * film[i];  // (u/v) times the mirrored film point, u = v f / (v - f)
         weights[i] = v - f;
     }
@@ -73,13 +73,11 @@ Vector LensOfPlane(const Vector& k, double s)
     const double across2 = Dot(along, along);
     if (across2 == 0.0)
         return axis;
-    // the line's point nearest to the axis
     const Vector foot = ((1.0 + s * k.z) / across2) * Vector{k.x, k.y, 0.0} - s * axis;
     const Vector t = Unit(Cross(along, foot));
     return t.z > 0.0 ? t : -1.0 * t;
 }
 
-/// From X and its image on the chief ray's film point.
 double FocalLengthFor(const Vector& t, const Vector& film, const Vector& point)
 {
     const double u = Dot(point, t), v = -Dot(film, t);
@@ -122,7 +120,6 @@ void SolveFocus(const CameraGiven& given, const Basis& basis, CameraSolved& solv
         if (given.focalLength)
         {
             solved.focalLength = *given.focalLength * millimetre;
-            // mirrored, scaled by v/u = f / (u - f)
             solved.filmDistance = solved.focalLength * point.z / (Dot(point, t) - solved.focalLength);
         }
         else

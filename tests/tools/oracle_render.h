@@ -20,16 +20,16 @@ namespace witness
 
 struct RenderSettings
 {
-    std::string povray = "/usr/bin/povray";  ///< the unpatched program
+    std::string povray = "/usr/bin/povray";
     std::filesystem::path scenes;            ///< folder with the case's scene files
-    std::filesystem::path work;              ///< empty folder for scenes and frames
+    std::filesystem::path work;
     int batches = 8;                         ///< independent, for the standard error
     int samples = 512;                       ///< pinholes in a batch; a power of two
     int processes = 16;                      ///< at once: each idles 0.2 s per frame
     std::uint32_t seed = 1;
 };
 
-/// One lens point for each frame from first.
+/// One lens point for each frame from `first`.
 std::string AnimationScene(const OracleCase& description, const CameraSolved& camera, const std::vector<LensPoint>& points, int first);
 
 /// @throws std::runtime_error a failed program, or a missing frame.

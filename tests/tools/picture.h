@@ -16,7 +16,6 @@
 namespace witness
 {
 
-/// Red, green, blue by rows from the top.
 struct Picture
 {
     int width = 0, height = 0;
@@ -69,7 +68,6 @@ void WritePreview(const std::string& path, const Picture& picture, int zoom);
 /// @throws MissingPicture, UnreadablePicture
 void WritePixels(const std::string& path, std::ostream& out);
 
-/// All pictures have one size.
 Reference Average(const std::vector<Picture>& batches);
 
 } // namespace witness

@@ -1,6 +1,5 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Renders and compares one picture."""
 
 import dataclasses
 import hashlib
@@ -44,7 +43,6 @@ class Render:
 
 
 def command_of(job, output):
-    """Run beside copies of the scene's files."""
     return povray_run.command(job.povray, job.scene.name, output, (job.width, job.height), "-V", "-GA", "+WT1", *job.options)
 
 

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Sample densities follow the weights; orientation; monotony. Fixed seeds; chi-square fails for a perfect map with probability 1e-5.
+// Fixed seeds; the chi-square tests fail for a perfect map with probability 1e-5.
 
 #include "tilt_lens/camera/aperture.h"
 
@@ -25,12 +25,12 @@ namespace
 
 const double nearlyOne = std::nextafter(1.0, 0.0);
 
-/// Integrals over bins of 1/16 of the lens are the probabilities.
+/// A brightness with exact integrals over bins of 1/16 of the lens.
 struct Picture
 {
     const char* name;
     std::function<double(double u, double v)> weight;
-    double tolerance;  ///< relative: 256 cells do not resolve edges
+    double tolerance;  ///< relative: cells do not resolve edges
 };
 
 std::ostream& operator<<(std::ostream& out, const Picture& p)
@@ -82,7 +82,7 @@ TEST_P(AperturePicture, RandomPointsFollowTheWeights)
             const double w = weight((i + 0.5) / fine, (j + 0.5) / fine);
             if (!std::isfinite(w) || w <= 0)
                 continue;
-            const double scaled = w * 1e-8;  // huge weights must not overflow
+            const double scaled = w * 1e-8;
             probability[i * bins / fine * bins + j * bins / fine] += scaled;
             total += scaled;
         }
@@ -124,7 +124,6 @@ TEST_P(AperturePicture, RisesWithUAndFallsWithV)
 
 TEST(AperturePictureOrientation, MatchesPovRaysBokeh)
 {
-    // large u is right, small v is up: v grows downward
     const Aperture corner = Aperture::Picture([](double u, double v) { return u > 0.75 && v < 0.25 ? 1.0 : 0.0; });
     for (double u : {0.0, 0.5, nearlyOne})
         for (double v : {0.0, 0.5, nearlyOne})
@@ -190,7 +189,7 @@ TEST(ApertureCopy, CopiesOutliveTheOriginal)
         copy = original;
         EXPECT_EQ(copy(0.3, 0.6).a, original(0.3, 0.6).a);
     }
-    EXPECT_NEAR((copy(0.25, 0.5).a + 1) / 2, 0.5, 1e-3);  // square root of u
+    EXPECT_NEAR((copy(0.25, 0.5).a + 1) / 2, 0.5, 1e-3);
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Discs and polygons. Fixed seeds; chi-square fails for a perfect map with probability 1e-5.
+// Fixed seeds; the chi-square tests fail for a perfect map with probability 1e-5.
 
 #include "tilt_lens/camera/aperture.h"
 
@@ -33,13 +33,12 @@ const double nearlyOne = std::nextafter(1.0, 0.0);
 
 struct Outline
 {
-    int blades;  ///< 0: disc
+    int blades;
     double angle;
     double curvature = 0;
 
     Aperture Make() const { return blades == 0 ? Aperture::Disc() : Aperture::Polygon(blades, angle, curvature); }
 
-    /// Area of the corners' polygon plus circular segments.
     double Area() const
     {
         if (blades == 0)
@@ -51,7 +50,7 @@ struct Outline
 
     double Tolerance() const { return curvature == 0 ? 1e-12 : 2e-5; }
 
-    /// 0 at the centre, 1 on the edge; independent of the corners.
+    /// Relative radius: 0 at the centre, 1 on the edge.
     double Size(const AperturePoint& p) const
     {
         if (blades == 0)
@@ -66,7 +65,7 @@ struct Outline
         return size;
     }
 
-    /// Relative radius on the arc around a centre on the other side.
+    /// Relative radius on the arc whose centre lies on the other side.
     double OnArc(const AperturePoint& p, double ahead) const
     {
         const double radius = 1 / curvature, half = std::sin(M_PI / blades);
@@ -149,10 +148,9 @@ TEST_P(ApertureOutline, RandomPointsFillItUniformly)
 
 TEST_P(ApertureOutline, NeighboursStayNeighbours)
 {
-    // a continuous bijection keeps strata connected and apart
     const Aperture aperture = GetParam().Make();
     const int n = 1000;
-    const double greatest = 6.0 / n;  // the map stretches by less than 6
+    const double greatest = 6.0 / n;
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j)
         {
@@ -226,11 +224,11 @@ TEST(ApertureGraded, FollowsItsBrightnessLaw)
                 ASSERT_LT(size, 1 + outline.Tolerance());
                 for (int k = 0; k < 3; ++k)
                     within[k] += size < 0.25 * (k + 1);
-                // steep at the rim: bounded by the outline's tolerance
+                // steep at the rim, so the outline's tolerance counts
                 const double least = law(std::max(0.0, size - outline.Tolerance()));
                 const double most = law(std::min(1.0, size + outline.Tolerance()));
                 const double brightness = aperture.Density(p) * outline.Area();
-                if (size < 1 - 2 * outline.Tolerance())  // at the rim rounding decides
+                if (size < 1 - 2 * outline.Tolerance())  // rounding decides at the rim
                 {
                     ASSERT_GE(brightness, std::min(least, most) - 1e-3 * (n + 1)) << p;
                     ASSERT_LE(brightness, std::max(least, most) + 1e-3 * (n + 1)) << p;
@@ -266,7 +264,7 @@ TEST(ApertureDisc, DirectionsAreKept)
 
 TEST(AperturePolygon, HasItsCornersOnTheUnitCircle)
 {
-    // corners' angles: the outermost of 4 x 10^4 points per side
+    // finds corners as the outermost of 4 x 10^4 points per side
     for (const Outline& outline : {Outline{3, 0.4}, Outline{5, -2}, Outline{Aperture::maxBlades, 0.001}})
     {
         const Aperture aperture = outline.Make();
@@ -287,7 +285,6 @@ TEST(AperturePolygon, HasItsCornersOnTheUnitCircle)
 
 TEST(AperturePolygon, TurnsFromRightToUp)
 {
-    // turned by 90 degrees: a corner at (0, 1), an edge at b = -1/2
     const Aperture triangle = Aperture::Polygon(3, M_PI / 2);
     double top = -2, bottom = 2;
     for (int i = 0; i < 1000; ++i)

@@ -37,7 +37,6 @@ void SlowNoise(const SampleId& id, SampleResult& result)
     WhiteNoise(id, result);
 }
 
-/// Threads take tiles in turn, as POV-Ray's do.
 std::vector<Radiance> PictureOf(int threads, const Tracer& trace)
 {
     BlockCache cache(DenoisedLimits(), kWidth, kWidth, {0, 0, kWidth, kWidth});
@@ -77,7 +76,7 @@ TEST(BlockCache, TakesEachSampleOnceWithManyThreads)
     EXPECT_EQ(PictureOf(5, counting), alone);
 }
 
-/// Meanwhile the other thread must finish all first rounds but one.
+/// One thread waits; the other must finish all first rounds but one.
 TEST(BlockCache, ThreadsWorkAheadInsteadOfWaiting)
 {
     const std::uint32_t others = 2 * settings.blockSide;
@@ -87,7 +86,6 @@ TEST(BlockCache, ThreadsWorkAheadInsteadOfWaiting)
     {
         if (id.x == 0 && id.y == 0 && id.index == 0 && !held.exchange(true))
         {
-            // until the other thread passes its own tile's rows
             for (int i = 0; i < 20000 && reached < others; i++)
                 std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }

@@ -1,9 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// @file block_estimates.h
-/// Blocks after one round, for estimates and decisions.
-
 #ifndef TILT_LENS_TESTS_BLOCK_ESTIMATES_H
 #define TILT_LENS_TESTS_BLOCK_ESTIMATES_H
 
@@ -15,7 +12,7 @@
 namespace tilt_lens
 {
 
-/// Up to number `until`, every active pixel, one round.
+/// Samples every active pixel once, up to `until` samples.
 inline void TakeRound(BlockEstimate& estimate, std::uint32_t until, const Tracer& trace)
 {
     const Area& area = estimate.area;

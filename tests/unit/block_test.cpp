@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Joint decisions of neighbouring pixels, exchange with neighbouring blocks.
-
 #include "tilt_lens/sampling/block.h"
 
 #include <algorithm>
@@ -27,7 +25,6 @@ const LensFootprint& Footprint()
     return lens;
 }
 
-/// The sample is blurred over `radius` pixels.
 SampleResult Blurred(const SampleId& id, double grey, float radius)
 {
     SampleResult result;
@@ -55,17 +52,17 @@ double LightKept(float blur)
     return 64.0 * light / Square(side);
 }
 
-/// Alone, pixels with dark samples would stop, the bright ones go on, and light would be lost.
+/// Pixels that decide alone would stop if their samples are dark, and lose light.
 TEST(Block, BlurredPixelsDecideTogetherAndLoseNoLight)
 {
     EXPECT_LT(LightKept(0.0f), 0.6);
     EXPECT_GT(LightKept(6.0f), 0.8);
 }
 
-/// Only the left block's later samples hit the lamp; the light must reach the right block.
+/// Only the left block's later samples hit the lamp, whose light must reach the right block.
 TEST(Block, UsesLaterRoundsOfItsNeighbours)
 {
-    const std::uint32_t seen = kSide + 4;  // columns of pixels that the lamp reaches
+    const std::uint32_t seen = kSide + 4;
     const Tracer trace([&](const SampleId& id, SampleResult& result)
     {
         const bool lamp = id.x >= kSide - 4 && id.x < seen && id.index >= 8 && Noise(id, 2) < 0.125;
@@ -118,7 +115,6 @@ TEST(SentSamples, EachPixelHasTheSameTotalWeight)
     for (const SpreadSums::Sum sum : {SpreadSums::kRed, SpreadSums::kShare, SpreadSums::kSquares})
         for (int x = 0; x < 4; x++)
             EXPECT_NEAR(*unequal->From(sum, x, 1), *equal->From(sum, x, 1), 1e-4) << sum << ", " << x;
-    // more samples, less weight each: less noise
     EXPECT_LT(*unequal->From(SpreadSums::kSquaredShares, 1, 1), *equal->From(SpreadSums::kSquaredShares, 1, 1));
     EXPECT_NEAR(unequal->OwnShare(0, 0), equal->OwnShare(0, 0), 1e-4);
     EXPECT_NEAR(unequal->PixelWeight(), 4.0f, 1e-5);
@@ -137,7 +133,7 @@ TEST(SentSamples, SharpAndExcessSamplesServeTheirOwnPixelAlone)
     ASSERT_NE(spread, nullptr);
     EXPECT_NEAR(spread->OwnWeight(3, 3), 4.0f, 1e-5);
     EXPECT_NEAR(spread->OwnShare(4, 3), 4.0f, 1e-5);
-    const float share = *spread->From(SpreadSums::kShare, 4, 3);  // of one sample
+    const float share = *spread->From(SpreadSums::kShare, 4, 3);
     EXPECT_GT(share, 0.0f);
     EXPECT_LT(share, 4.0f / settings.mostSentSamples);
     EXPECT_FLOAT_EQ(*spread->From(SpreadSums::kSquaredShares, 4, 3), share * share);

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Blur against light through the ends of the lens diameter parallel to the film.
+// Compares blur with light through the ends of the lens diameter that is parallel to the film.
 
 #include "tilt_lens/camera/ray.h"
 
@@ -39,10 +39,10 @@ Vec3 SharedDiameter(const Lens& lens)
     return Length(across) > 1e-9 ? Normalized(across) : lens.axisRight;
 }
 
-/// Frame point reached from T * chief: the lens sends light from the plane of sharp focus on, parallel to the frame point's chief ray.
+/// Frame point that light from T * chief reaches through a point of the lens.
 Vec3 FramePoint(const Lens& lens, const Vec3& chief, double T, const Vec3& lensPoint)
 {
-    const Vec3 path = chief - lensPoint / T;  // lensPoint is parallel to the film
+    const Vec3 path = chief - lensPoint / T;
     return path + Dot(lens.focus, path) / (1.0 - Dot(lens.focus, lensPoint)) * lensPoint;
 }
 
@@ -69,7 +69,6 @@ TEST(Blur, IsPositiveBeforeThePlaneOfSharpFocus)
     {
         const double w = Dot(lens.focus, chief);
         const double T = random.Power(-2.0, 2.0) * 1.0 / std::max(std::fabs(w), 1e-6);
-        // k.X < 1 on the camera's side of the plane
         const bool before = Dot(lens.focus, T * chief) < 1.0;
         EXPECT_EQ(BlurDiameter(lens, chief, T, 100.0) > 0.0, before) << "T = " << T << ", w = " << w;
     });
@@ -113,7 +112,6 @@ TEST(PlaneOfBlur, ZeroIsThePlaneOfSharpFocus)
 
 TEST(PlaneOfBlur, MeetInTheHingeLine)
 {
-    // surfaces through the hinge line differ along the axis alone: it lies in the plane parallel to the film
     ForManyPixels([](const Lens& lens, const Vec3&, Random& random)
     {
         const Vec3 apart = PlaneOfBlur(lens, random(1.0, 9.0), 500.0) - lens.focus;

@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Grouped rays equal single ones, bit for bit.
-
 #include "tilt_lens/sampling/camera_rays.h"
 
 #include <memory>
@@ -21,7 +19,6 @@ namespace
 
 constexpr std::uint32_t kWidth = 64, kHeight = 48;
 
-/// Within one group, as rounds of 1, 2, 4 and others have.
 std::vector<SampleRun> Runs(std::uint32_t x, std::uint32_t y)
 {
     std::vector<SampleRun> runs;
@@ -46,7 +43,6 @@ Lens SomeLens(const Character& character = {}, double scale = 1.0)
     return lens;
 }
 
-/// -0 equals 0.
 std::vector<double> NumbersOf(const CameraRays& rays, std::uint32_t i)
 {
     const CameraSamples& s = rays.samples;
@@ -112,7 +108,7 @@ TEST(CameraRays, EqualRaysComputedOneByOneWithEmitterSampling)
     ExpectRaysOneByOne(SomeLens(), Aperture::Disc(), {}, {{{0.0, 0.0, 30.0}, 0.05, 1e4}});
 }
 
-/// Wide open, at the edge: rims block some samples, some pixels see nothing.
+/// At the frame's edge, rims block some samples, and some pixels see nothing.
 TEST(CameraRays, EqualRaysComputedOneByOneWithAGlassLens)
 {
     Statement statement;
@@ -168,7 +164,7 @@ TEST(CameraRays, MayHaveAnyLength)
     }
 }
 
-/// No ray leads from a point to itself: the chief ray replaces it.
+/// No ray leads from a point to itself.
 TEST(CameraRays, AreChiefRaysWhereThereIsNoDirection)
 {
     Lens lens = SomeLens();

@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Distortion, field curvature, colour fringes: closed forms, round trips, refused values.
-
 #include <cmath>
 #include <string>
 
@@ -79,7 +77,6 @@ TEST(Distortion, IsThePolynomialAboutTheAxisOfAShiftedFrame)
         const Lens lens = Made(Block(Distorted(0.1, -0.02), 0.0, shift, 0.0));
         for (const FilmPoint& picture : {FilmPoint{0.5, 0.5}, FilmPoint{-0.3, 0.1}, FilmPoint{0.0, -0.5}})
         {
-            // half widths of the film, from the axis
             const double x = 2.0 * picture.x + shift / 18.0, y = 2.0 * picture.y * 24.0 / 36.0;
             const double r2 = x * x + y * y, factor = 1.0 + 0.1 * r2 - 0.02 * r2 * r2;
             const FilmPoint ideal = IdealFilmPoint(lens, picture);
@@ -92,7 +89,7 @@ TEST(Distortion, IsThePolynomialAboutTheAxisOfAShiftedFrame)
 TEST(Distortion, TurnsWithTheLens)
 {
     const Lens lens = Made(Block(Distorted(0.1, -0.02), 10.0, 5.0, 3.0));
-    const double halfWidth = 18.0 / (lens.filmDistance / lens.millimetre);  // tangent
+    const double halfWidth = 18.0 / (lens.filmDistance / lens.millimetre);
     for (const FilmPoint& picture : {FilmPoint{0.5, 0.5}, FilmPoint{-0.3, 0.1}, FilmPoint{0.0, -0.5}})
     {
         const Vec3 seen = lens.direction + picture.x * lens.right + picture.y * lens.up;
@@ -100,23 +97,20 @@ TEST(Distortion, TurnsWithTheLens)
         const auto tangent = [&](const Vec3& v) { return Length(Cross(v, lens.normal)) / Dot(v, lens.normal); };
         const double r = tangent(seen) / halfWidth;
         EXPECT_NEAR(tangent(shown) / halfWidth, r * (1.0 + 0.1 * r * r - 0.02 * r * r * r * r), 1e-13);
-        // coplanar with the lens's axis
         EXPECT_NEAR(Dot(Cross(Normalized(seen), Normalized(shown)), lens.normal), 0.0, 1e-15);
     }
 }
 
-/// Focal length over the focus's distance along the lens's axis.
 TEST(Distortion, ChangesWithTheDistanceOfTheFocus)
 {
     Statement given = Block(Distorted(0.1, -0.02, 0.4), 10.0, 5.0, 3.0);
     given.focalPoint = {0.0, 0.0, 400.0};
     const Lens lens = Made(given);
-    const double halfWidth = 18.0 / lens.filmDistance;  // tangent
+    const double halfWidth = 18.0 / lens.filmDistance;
     const auto tangent = [&](const Vec3& v) { return Length(Cross(v, lens.normal)) / Dot(v, lens.normal); };
     double least = HUGE_VAL, most = 0.0;
     for (const FilmPoint& picture : {FilmPoint{0.5, 0.5}, FilmPoint{-0.3, 0.1}, FilmPoint{0.0, -0.5}})
     {
-        // 1/f = 1/v + 1/D, v behind the lens
         const Vec3 seen = IdealChiefRay(lens, picture);
         const double v = lens.filmDistance * Dot(seen, lens.normal) / Dot(seen, lens.axis), nearness = 50.0 * (1.0 / 50.0 - 1.0 / v);
         const double r = tangent(seen) / halfWidth, factor = 0.1 + 0.4 * nearness;
@@ -177,7 +171,6 @@ TEST(Distortion, StretchesByTheInverseOfItsDerivatives)
     EXPECT_EQ(PictureStretch(Made(Block({})), {0.5, 0.5}), 1.0);
 }
 
-/// Image through the ends of a thin lens's diameters, against the layers' blur.
 TEST(Distortion, BlurIsTheSizeOfTheDiscInThePicture)
 {
     Statement given = Block(Distorted(0.2, -0.03), 0.0, 6.0, -4.0);
@@ -239,10 +232,10 @@ TEST(Character, AllRaysOfAFilmPointMeetOnTheSurfaceOfSharpFocus)
     });
 }
 
-/// Film displaced by the sag: focus by the thin lens equation.
+/// A film displaced by the sag is in focus by the thin lens equation.
 TEST(FieldCurvature, IsTheSagOfTheImage)
 {
-    const double s = 50.0 * 2000.0 / 1950.0, sag = 0.01;  // mm; squares of sag/s are negligible
+    const double s = 50.0 * 2000.0 / 1950.0, sag = 0.01;  // squares of sag/s are negligible
     const Lens lens = Made(Block(Curved(sag)));
     const double atSide = 1.0 / MakeRay(lens, 0.5, 0.0, 0.0, 0.0).w * Dot(lens.direction, lens.axis);
     EXPECT_NEAR(1.0 / atSide, 1.0 / 50.0 - 1.0 / (s + sag), 1e-9);

@@ -20,7 +20,7 @@ namespace
 constexpr int kSide = int(settings.blockSide);
 constexpr double kLamp = 10.0;
 
-/// Blocks of four samples a pixel: one in `every` has hit a red lamp.
+/// Blocks with four samples a pixel, of which one in `every` has hit a red lamp.
 std::shared_ptr<const PaddedSpread> LampHitByOneIn(std::uint32_t every)
 {
     static const LensFootprint lens(Lens(), Aperture::Disc(), 3.0 * kSide, 3.0 * kSide);

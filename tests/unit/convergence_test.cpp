@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Decisions from statistics alone: active pixels, reactivation, forecast of the reconstruction.
-
 #include "tilt_lens/sampling/convergence.h"
 
 #include <algorithm>
@@ -27,7 +25,6 @@ std::size_t ActiveIn(const BlockEstimate& estimate)
     return std::count_if(estimate.pixels.begin(), estimate.pixels.end(), [](const PixelEstimate& pixel) { return pixel.active; });
 }
 
-/// Indices of kMiddle's pixels; one round, no neighbours.
 std::vector<std::size_t> AllPixels()
 {
     std::vector<std::size_t> all(kMiddle.Size());
@@ -70,7 +67,7 @@ TEST(UpdateConvergence, EvenLightConvergesAtOnce)
 
 TEST(UpdateConvergence, NoiseStaysActiveUntilItsVarianceMeetsTheTarget)
 {
-    Prepared noisy(Limits(8, 4096, 1e-3), WhiteNoise);  // variance 1/12 of one sample
+    Prepared noisy(Limits(8, 4096, 1e-3), WhiteNoise);
     std::uint32_t samples = 8;
     while (noisy.Update(samples))
     {
@@ -121,7 +118,7 @@ TEST(FirstRound, LoneVarianceCountsIsolatedPixelsOnly)
 
 TEST(UpdateConvergence, FollowsAnEdgeThatAllMissedAtFirst)
 {
-    // only a later round hits anything, in one column
+    // only a later round hits anything
     const auto late = [](const SampleId& id, SampleResult& result)
     { result = Grey(id.x == kMiddle.left + 5 && id.index >= 8 && id.index % 2 == 0 ? 1.0 : 0.0); };
     Prepared block(Limits(8, 1024, 1e-4), late);
@@ -179,7 +176,6 @@ TEST(Neighbourhood, AveragesFirstRoundsOverTheirPixels)
     EXPECT_NEAR(Neighbourhood(rounds, Limits(8, 1024, 1e-4)).loneVariance, own.loneVariance / 2.0, 1e-12);
 }
 
-/// Dim noise around 0.7, after 8 samples.
 Prepared DimNoise()
 {
     SamplingLimits limits = Limits(8, 1024, 1e-3);
@@ -207,7 +203,6 @@ TEST(Forecast, IsSkippedWhereItSavesTooFewRays)
     EXPECT_FALSE(UpdateForecast(block.estimate, {100}, block.around, 8));
 }
 
-/// Active pixels after 8 samples.
 std::size_t ActiveAfterFirstRound(double variance, bool denoise, const Tracer& trace)
 {
     SamplingLimits limits = Limits(8, 1024, variance);

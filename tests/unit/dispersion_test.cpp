@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Indices against real glasses, focal lengths of colours against closed forms.
-
 #include "tilt_lens/glass/dispersion.h"
 
 #include <cmath>
@@ -36,7 +34,7 @@ TEST(Dispersion, ReproducesTheAbbeNumber)
     EXPECT_EQ(IndexAt(1.7, 0.0, 400.0), 1.7);
 }
 
-/// Schott's catalogue: lines r, C, F', e, g, h.
+/// Indices at the lines r, C, F', e, g, h in Schott's catalogue.
 TEST(Dispersion, MatchesRealGlasses)
 {
     const double lines[] = {706.5188, 656.2725, 479.9914, 546.0740, 435.8343, 404.6561};
@@ -68,19 +66,18 @@ TEST(Dispersion, SingletMatchesTheThickLensEquation)
         const double power = (n - 1.0) * (1.0 / r1 - 1.0 / r2 + (n - 1.0) * d / (n * r1 * r2)),
                      backFocus = (1.0 - (n - 1.0) * d / (n * r1)) / power;
         EXPECT_NEAR(GlassLens(AtWavelength(prescription, wavelength)).Cardinal().focalLength, 1.0 / power, 1e-11);
-        // real rays in the d line's frame, behind the glass
         GlassLens coloured = lens;
         coloured.TakeIndices(AtWavelength(prescription, wavelength));
         EXPECT_NEAR(FocusOf(coloured), lens.Cardinal().frontVertex - d - backFocus, 1e-6) << wavelength;
     }
 }
 
-/// Thin lenses in contact with f1 V1 = -f2 V2: C and F meet, wavelengths between are nearer.
+/// Thin lenses in contact with f1 V1 = -f2 V2: C and F meet, wavelengths between them focus nearer.
 TEST(Dispersion, AchromatHasTheSecondarySpectrum)
 {
     const double f = 100.0, V1 = 64.17, V2 = 36.37, n1 = 1.5168, n2 = 1.62004;
     const double power1 = V1 / (V1 - V2) / f, power2 = -V2 / (V1 - V2) / f;
-    const double c1 = 0.5 * power1 / (n1 - 1.0), c2 = power2 / (n2 - 1.0);  // equally biconvex; cemented
+    const double c1 = 0.5 * power1 / (n1 - 1.0), c2 = power2 / (n2 - 1.0);
     Prescription prescription;
     const auto row = [](double radius, double index, double abbe)
     {
@@ -97,7 +94,6 @@ TEST(Dispersion, AchromatHasTheSecondarySpectrum)
     const auto focal = [&](double wavelength) { return GlassLens(AtWavelength(prescription, wavelength)).Cardinal().focalLength; };
     EXPECT_NEAR(focal(kLineD), f, 1e-4);
     EXPECT_NEAR(focal(kLineF), focal(kLineC), 1e-6 * f);
-    // the power of each part is proportional to n - 1
     for (const double wavelength : kWavelengths)
     {
         const double power = power1 * (IndexAt(n1, V1, wavelength) - 1.0) / (n1 - 1.0) +
@@ -167,7 +163,7 @@ TEST(Dispersion, RaysOfAColourFocusWhereItsLensDoes)
             zz += place * place;
             zx += slope * place;
         }
-        apart[hue > 0.0] = -zx / zz;  // inverse distance from the principal point
+        apart[hue > 0.0] = -zx / zz;
     }
     const Prescription prescription = ReadPrescription(kSinglet);
     const auto power = [&](double hue) { return 1.0 / GlassLens(AtWavelength(prescription, WavelengthOf(hue))).Cardinal().focalLength; };

@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Unbiased, less variance, and only small bright objects as targets.
-
 #include "tilt_lens/sampling/emitter_sampling.h"
 
 #include <cmath>
@@ -21,7 +19,7 @@ namespace
 constexpr std::uint32_t kWidth = 64, kHeight = 48;
 constexpr double kBackground = 0.3;
 
-/// 1 wide, at the origin, along z, focus at 10, plane turned by `turn` degrees.
+/// Lens 1 wide, at the origin, along z, focus at 10, plane turned by `turn` degrees.
 Lens LensOf(double turn, const Character& character = {})
 {
     Statement statement;
@@ -57,7 +55,7 @@ struct World
     }
 };
 
-/// Mean of n samples, variance of one, and variance within the strata of emitter and plain samples, the only noise.
+/// Mean of n samples, variance of one, and variance within the strata of emitter and plain samples.
 struct Pixel
 {
     double mean, variance, withinStrata;
@@ -113,7 +111,6 @@ Character Real()
     return character;
 }
 
-/// Lamps for every shape of aperture.
 std::vector<Case> Cases()
 {
     const Emitter far{{1.0, 0.5, 40.0}, 0.03, 40.0}, near{{-0.4, 0.3, 5.0}, 0.005, 40.0}, sharp{{0.7, -0.6, 10.0}, 0.03, 40.0},
@@ -187,7 +184,6 @@ TEST(EmitterSampling, IsUnbiased)
         {
             const std::uint32_t n = 1u << 16;
             const Pixel a = SampleOf(emitterSampled, lens, world, x, y, n, 1), p = SampleOf(plain, lens, world, x, y, n, 2);
-            // far better than this bound of independent samples
             const double error = std::sqrt((a.variance + p.variance) / n) + 1e-9;
             EXPECT_LT(std::fabs(a.mean - p.mean), 3.5 * error) << one.name << " at " << x << ", " << y;
             squares += std::pow((a.mean - p.mean) / error, 2);
@@ -213,7 +209,6 @@ TEST(EmitterSampling, LowersTheVarianceOfLamps)
     }
 }
 
-/// A hidden lamp costs samples only.
 TEST(EmitterSampling, HiddenLampsLeaveEvenLightEven)
 {
     const Emitter lamp{{1.0, 0.5, 40.0}, 0.03, 40.0};

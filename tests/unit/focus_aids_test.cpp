@@ -65,8 +65,7 @@ TEST(FocusMap, DarkensWithBlur)
     }
 }
 
-/// G. M. Machado, M. M. Oliveira, L. A. F. Fernandes, "A Physiologically-based Model for Simulation of Color Vision Deficiency", 2009, in
-/// linear light.
+/// G. M. Machado, M. M. Oliveira, L. A. F. Fernandes, "A Physiologically-based Model for Simulation of Color Vision Deficiency", 2009.
 Rgb Seen(const Rgb& c, const double (&m)[3][3])
 {
     const double in[3] = {Light(c.red), Light(c.green), Light(c.blue)};
@@ -90,7 +89,6 @@ TEST(FocusMap, ScaleShowsTheMapsColoursInOrder)
 {
     const int width = 640, height = 480;
     const FocusMapScale scale(width, height);
-    // the bar: the longest row of other colours than box and ink
     int row = height, left = 0, right = 0;
     for (int y = 0; y < height; y++)
     {
@@ -155,7 +153,6 @@ TEST(FocusPlanes, AreOrderedByDepthFromTheNearLimit)
         const int width = 320, height = 240, x = int(random(0, width)), y = int(random(0, height));
         const FocusPlanes planes(lens, width, height);
         const Vec3 chief = MakeRay(lens, (x + 0.5) / width - 0.5, 0.5 - (y + 0.5) / height, 0.0, 0.0).direction;
-        // surfaces in front of the camera, by blur
         std::map<double, double> inFront;
         for (const double pixels : {1.0, 0.0, -1.0})
         {
@@ -189,7 +186,7 @@ TEST(FocusPlanes, GridHasRoundSpacingAndLines)
     for (int y = 120; y < 240; y++)
         for (int x = 0; x < 320; x++)
             for (const Veil& veil : planes.Before(x, y, kInfinity))
-                if (veil.colour.red == veil.colour.blue)  // white: the plane of sharp focus
+                if (veil.colour.red == veil.colour.blue)
                     surface++, lines += veil.opacity > 0.5;
     EXPECT_GT(lines, surface / 100);
     EXPECT_LT(lines, surface / 2);

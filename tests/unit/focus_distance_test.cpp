@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Film distance and focusing scale, against the thin lens equation.
-
 #include "tilt_lens/camera/optics.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +23,7 @@ Request Turned(double tilt, double swing)
     return request;
 }
 
-/// The image lies on the line through the lens centre; 1/object + 1/image = 1/f along the lens's normal.
+/// Image distance by 1/object + 1/image = 1/f along the lens's normal.
 double ImageDistance(const Lens& lens, const Vec3& point)
 {
     return Dot(point, lens.axis) * lens.focalLength / (Dot(point, lens.normal) - lens.focalLength);
@@ -114,7 +112,7 @@ TEST(FocusScale, GrowsWithTheCamera)
 TEST(FocusScale, NearerThanFourFocalLengthsIsRefused)
 {
     Request request = Turned(0.0, 0.0);
-    request.given.focusScale = 0.2;  // life size
+    request.given.focusScale = 0.2;
     EXPECT_NO_THROW(Solved(request));
     request.given.focusScale = 0.1999;
     EXPECT_THROW(Solved(request), OpticsError);

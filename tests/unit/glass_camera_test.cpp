@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The limit of ideal glass; coverage; brightness against a count.
-
 #include "tilt_lens/lens_camera/glass_camera.h"
 
 #include <cmath>
@@ -21,7 +19,7 @@ namespace tilt_lens
 namespace
 {
 
-/// Ideal near its axis; the stop is in the lens.
+/// Nearly ideal near its axis; the stop is in the lens.
 const char* const kThin = "100 1e-6 1.5 20\n-100 1e-6 1 20\n0 0 0 10\n";
 
 /// 36 by 24 mm; 1 unit is 1 mm.
@@ -85,7 +83,7 @@ Passage TraceThrough(const GlassLens& lens, const Aperture& aperture, GlassRay& 
 
 struct Counted
 {
-    double area = 0.0, l = 0.0, m = 0.0;  ///< of the directions that pass; mean direction
+    double area = 0.0, l = 0.0, m = 0.0;
     int outside = 0, passed = 0;
 };
 
@@ -119,7 +117,7 @@ Counted Count(const GlassCamera& camera, const GlassLens& glass, const Aperture&
 
 TEST(GlassCamera, ThinGlassImagesAsTheIdealLens)
 {
-    // near the axis, rays meet the plane of sharp focus at the ideal ray's point
+    // near the axis, rays meet the plane of sharp focus where the ideal ray does
     const Camera setting = Camera(kThin).FStop(50.0).Tilt(2.0, 1.0).Shift(0.5, -0.3);
     const SolvedLens lens = setting.Solved();
     const GlassCamera camera = setting.Made();
@@ -134,7 +132,7 @@ TEST(GlassCamera, ThinGlassImagesAsTheIdealLens)
         const LensRay& ray = sample.ray;
         const double step = (1.0 - Dot(lens.focus, ray.origin)) / Dot(lens.focus, ray.direction);
         const Vec3 met = ray.origin + step * ray.direction;
-        // 2 mm wide: aberrations are far below a wrong sign's effect
+        // stopped down so far that aberrations are below a wrong sign's effect
         EXPECT_LT(Length(met - focused), 1e-4 * Length(focused)) << film.x << " " << film.y;
         EXPECT_NEAR(Dot(ray.direction, lens.axis), Dot(chief, lens.axis), 1e-12);
         EXPECT_NEAR(ray.w, Dot(lens.focus, chief), 1e-15);
@@ -171,7 +169,7 @@ TEST(GlassCamera, BrightnessMatchesACountOfDirections)
             const SolvedLens lens = named.camera.Solved();
             const GlassCamera camera = named.camera.Made(aperture), natural = named.camera.Made(aperture, 1.0);
             const double middle = Count(camera, *lens.glass, aperture, {0.0, 0.0}, 160).area;
-            const auto falloff = [&](const FilmPoint& film)  // of the tilted film, for a ray into the middle
+            const auto falloff = [&](const FilmPoint& film)
             {
                 const Vec3 direction = Normalized(camera.MiddleRay(film)->direction);
                 return std::fabs(Dot(direction, lens.axis) / Dot(direction, lens.normal));
@@ -264,7 +262,6 @@ TEST(GlassCamera, DrawsFourAsOneByOne)
     EXPECT_GT(refused, 300);
 }
 
-/// A point of the unit disc goes through the ellipse of directions and the glass into world axes.
 TEST(GlassCamera, DrawsThePointOfTheEllipse)
 {
     const Aperture disc = Aperture::Disc();
@@ -331,7 +328,6 @@ TEST(GlassCamera, IsAsBrightInItsMiddleAndSymmetric)
         for (const double right : {1.0, -1.0})
             for (const double up : {1.0, -1.0})
                 EXPECT_NEAR(camera.Brightness({right * film.x, up * film.y}), camera.Brightness(film), 2e-4);
-    // stopped down, no rim vignettes
     const GlassCamera stopped = Camera(kDoubleGauss).FStop(11.0).Made();
     for (const FilmPoint& film : {FilmPoint{0.5, 0.5}, FilmPoint{-0.21, 0.4}})
         EXPECT_EQ(stopped.Brightness(film), 1.0);
@@ -339,7 +335,6 @@ TEST(GlassCamera, IsAsBrightInItsMiddleAndSymmetric)
 
 TEST(GlassCamera, HasNoRings)
 {
-    // no steps: the second derivative is bounded by that of the pupils' overlap
     const GlassCamera camera = Camera(kDoubleGauss).Made();
     const double step = 0.002;
     double before = camera.Brightness({0.0, 0.0}), last = camera.Brightness({step, 0.6 * step});
@@ -395,7 +390,6 @@ TEST(GlassCamera, RefusesABlockedCentre)
 
 TEST(FieldAberrations, MatchAThinLens)
 {
-    // no distortion; spheres of curvature (1 + 1/n)/f and (3 + 1/n)/f
     const GlassLens lens(ReadPrescription(kThin));
     const double f = lens.Cardinal().focalLength, height = 1.0, n = 1.5;
     const auto field = FieldAberrationsOf(lens, f, height);

@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Closed forms, Snell's law, perfect surfaces, the paraxial limit, reversal, blocked rays.
-
 #include "tilt_lens/glass/glass_lens.h"
 #include "double_gauss_rows.h"
 
@@ -26,7 +24,7 @@ PrescriptionRow Row(double radius, double thickness, double index, double diamet
     return row;
 }
 
-/// One element, `stopBefore` mm behind its stop.
+/// A lens with one element, `stopBefore` mm behind its stop.
 Prescription Singlet(double first, double second, double thickness, double index, double stopBefore = 1.0, double diameter = 20.0)
 {
     Prescription lens;
@@ -39,7 +37,6 @@ Prescription DoubleGauss()
     return ReadPrescription(kDoubleGauss);
 }
 
-/// A lens with conic, asphere and curved first surface.
 Prescription Aspheric()
 {
     Prescription lens = Singlet(30.0, -45.0, 6.0, 1.6, 2.0, 16.0);
@@ -60,13 +57,12 @@ Vec3 At(const GlassRay& ray, double z)
 
 TEST(CardinalPoints, MatchAThickLens)
 {
-    // lensmaker's equation and principal points
     const double a = 40.0, b = -60.0, d = 7.0, n = 1.55;
     const CardinalPoints points = GlassLens(Singlet(a, b, d, n)).Cardinal();
     const double f = 1.0 / ((n - 1.0) * (1.0 / a - 1.0 / b + (n - 1.0) * d / (n * a * b)));
-    const double front = -f * (n - 1.0) * d / (n * b), rear = -f * (n - 1.0) * d / (n * a);  // behind the vertices
+    const double front = -f * (n - 1.0) * d / (n * b), rear = -f * (n - 1.0) * d / (n * a);
     EXPECT_NEAR(points.focalLength, f, 1e-12 * f);
-    EXPECT_NEAR(points.frontVertex - 1.0, front, 1e-12);  // stop 1 mm before the glass
+    EXPECT_NEAR(points.frontVertex - 1.0, front, 1e-12);
     EXPECT_NEAR(points.separation, d + rear - front, 1e-12);
     EXPECT_NEAR(points.backFocus, f + rear, 1e-12);
 }
@@ -84,7 +80,6 @@ TEST(CardinalPoints, MatchAThinLensAndABall)
 
 TEST(CardinalPoints, PupilsAreImagesOfTheStop)
 {
-    // a stop before the glass is its own entrance pupil
     const GlassLens lens(Singlet(50.0, -50.0, 1e-9, 1.5, 20.0));
     const CardinalPoints& points = lens.Cardinal();
     EXPECT_NEAR(points.entrancePupil, 20.0, 1e-6);
@@ -92,7 +87,7 @@ TEST(CardinalPoints, PupilsAreImagesOfTheStop)
     EXPECT_NEAR(points.fNumber, 50.0 / 8.0, 1e-8);
     EXPECT_NEAR(1.0 / points.exitPupil, 1.0 / 20.0 - 1.0 / 50.0, 1e-8);  // 1/image = 1/f - 1/object, on the scene's side
     EXPECT_NEAR(points.exitMagnification, 50.0 / 30.0, 1e-8);
-    // a stop in the front focal point is telecentric
+    // a stop in the front focal point makes a lens telecentric
     EXPECT_GT(std::fabs(GlassLens(Singlet(50.0, -50.0, 1e-9, 1.5, 50.0)).Cardinal().exitPupil), 1e6);
 }
 
@@ -117,7 +112,7 @@ TEST(GlassLens, ApproachesTheParaxialLimit)
         const CardinalPoints& points = lens.Cardinal();
         const double film = -points.separation - points.focalLength, height = 1e-3;
         StopPoint stop;
-        // focused at infinity: parallel, at its height in H'
+        // focused at infinity, rays leave parallel
         GlassRay ray{{0.0, 0.0, film}, Towards({0.0, 0.0, film}, {height, 0.0, -points.separation})};
         ASSERT_EQ(lens.Trace(ray, stop), Passage::Passed);
         EXPECT_NEAR(ray.direction.x, 0.0, 1e-6 * height / points.focalLength);
@@ -128,7 +123,6 @@ TEST(GlassLens, ApproachesTheParaxialLimit)
         ASSERT_EQ(lens.Trace(ray, stop), Passage::Passed);
         EXPECT_NEAR(ray.direction.x, before.x, 1e-6 * std::fabs(before.x));
         EXPECT_NEAR(At(ray, 0.0).x, 0.0, 1e-6 * height);
-        // centres of exit pupil, stop and entrance pupil
         ray = {{height, 0.0, film}, Towards({height, 0.0, film}, {0.0, 0.0, points.exitPupil})};
         if (ray.direction.z < 0.0)
             ray.direction = -ray.direction;
@@ -140,7 +134,7 @@ TEST(GlassLens, ApproachesTheParaxialLimit)
 
 TEST(GlassLens, HyperboloidFocusesParallelLight)
 {
-    // conic constant -n^2: parallel rays meet, at any aperture
+    // conic constant -n^2: parallel rays meet
     const double n = 1.5;
     Prescription prescription = Singlet(0.0, -30.0, 8.0, n, 1.0, 50.0);
     prescription.rows[0].diameter = 60.0;
@@ -160,7 +154,7 @@ TEST(GlassLens, HyperboloidFocusesParallelLight)
 
 TEST(GlassLens, SphereHasAplanaticPoints)
 {
-    // a ball: rays aimed n R behind the centre meet R/n behind it
+    // a ball lens: rays aimed n R behind the centre meet R/n behind it
     const double n = 1.6, R = 20.0;
     Prescription prescription;
     prescription.rows = {Row(0.0, 1.0, 1.0, 200.0), Row(R, 50.0, n, 40.0), Row(0.0, 0.0, 1.0, 200.0)};
@@ -172,7 +166,6 @@ TEST(GlassLens, SphereHasAplanaticPoints)
         GlassRay ray{aim - 100.0 * direction, direction};
         StopPoint stop;
         ASSERT_EQ(lens.TraceFromScene(ray, stop, false), Passage::Passed);
-        // the plane at the end refracts at height x
         const double planeZ = lens.Cardinal().rearVertex, sine = -ray.direction.x / n;
         const double x = ray.origin.x + (centre - R / n - planeZ) * (sine / std::sqrt(1.0 - sine * sine));
         EXPECT_NEAR(x, 0.0, 1e-11) << angle;
@@ -181,7 +174,6 @@ TEST(GlassLens, SphereHasAplanaticPoints)
 
 TEST(GlassLens, FollowsSnellsLawAtAnAsphere)
 {
-    // n sin is preserved in the plane of incidence
     Prescription prescription;
     prescription.rows = {Row(0.0, 5.0, 1.0, 60.0), Row(25.0, 400.0, 1.7, 20.0), Row(0.0, 0.0, 1.0, 500.0)};
     prescription.rows[1].conic = -1.3;
@@ -198,7 +190,6 @@ TEST(GlassLens, FollowsSnellsLawAtAnAsphere)
     const double slope = (sag(h + step) - sag(h - step)) / (2.0 * step);
     const Vec3 point{x, y, vertex - sag(h)}, normal = Normalized(Vec3{slope * x / h, slope * y / h, 1.0});
     const Vec3 in = Normalized(Vec3{-0.2, 0.1, -1.0});
-    // normal from a formula; then out through the plane
     const double ratio = 1.0 / 1.7, cosine = -Dot(in, normal);
     Vec3 expected = ratio * in + (ratio * cosine - std::sqrt(1.0 - ratio * ratio * (1.0 - cosine * cosine))) * normal;
     expected.x *= 1.7;
@@ -241,7 +232,6 @@ TEST(GlassLens, RaysAreReversible)
     }
 }
 
-/// Rays past rims and stop: some of the four are blocked.
 TEST(GlassLens, TracesFourSideBySideAsOneByOne)
 {
     std::mt19937 random(2);
@@ -320,7 +310,6 @@ TEST(GlassLens, StopsDown)
     for (const double fNumber : {8.0, 2.8, 2.1})
     {
         lens.StopDown(fNumber);
-        // widest ray from infinity: focal length / (2 f-number)
         double widest = 0.0;
         for (double height = 0.0; height < 13.0; height += 1e-3)
         {

@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Moving groups of glass: closed forms, fixed film, tilt and swing, focuses beyond reach.
-
 #include "tilt_lens/glass/inner_focus.h"
 
 #include <cmath>
@@ -19,7 +17,7 @@ namespace tilt_lens
 namespace
 {
 
-/// Invented: thin lenses of 50 and -80 mm, the second moves towards the film, 68 mm behind the first.
+/// Thin lenses of 50 and -80 mm; the second moves towards the film, 68 mm behind the first.
 const char* const kThinGroups = R"({
  "object-distance": ["infinity", 585.714],
  "surfaces": [
@@ -102,14 +100,13 @@ TEST(InnerFocus, GoesFromStateToStateOfTheFile)
     EXPECT_EQ(InState(lens, 1.0).rows[4].thickness, 14.2099);
     EXPECT_EQ(InState(lens, 2.0).rows[4].thickness, 6.6433);
     EXPECT_NEAR(InState(lens, 1.5).rows[4].thickness, 0.5 * (14.2099 + 6.6433), 1e-12);
-    // half life size and life size, by the patent
+    // half life size and life size in the patent
     EXPECT_NEAR(ObjectDistanceOf(lens, 1.0), 480.07, 0.3);
     EXPECT_NEAR(ObjectDistanceOf(lens, 2.0), 272.364, 0.01);
     for (const double state : {1.0, 2.0})
         EXPECT_NEAR(FilmPlaceOf(lens, state) / DistanceOf(lens, state), 0.5 * state, 1e-4);
 }
 
-/// The paraxial image is on the film, which stays in its place.
 TEST(InnerFocus, ImagesTheFocusOntoTheFilm)
 {
     for (const Named& named : Lenses())
@@ -131,7 +128,6 @@ TEST(InnerFocus, ImagesTheFocusOntoTheFilm)
     }
 }
 
-/// Real rays through an almost closed stop meet in the focal point.
 TEST(InnerFocus, LeadsRealRaysToTheFocus)
 {
     for (const Named& named : Lenses())
@@ -146,7 +142,6 @@ TEST(InnerFocus, LeadsRealRaysToTheFocus)
     }
 }
 
-/// Turned: the stated plane, and the untilted lens's film.
 TEST(InnerFocus, KeepsTheMeaningOfTheOtherItems)
 {
     for (const Named& named : Lenses())
@@ -197,7 +192,6 @@ TEST(InnerFocus, MovesTheFilmBeyondTheGroupsReach)
     EXPECT_EQ(lens.groups, 1.0);
     EXPECT_NEAR(1.0 / lens.filmDistance + 1.0 / distance, 1.0 / lens.focalLength, 1e-12);
     EXPECT_GT(lens.filmDistance, FilmPlaceOf(prescription, 1.0) + 1.0);
-    // beyond infinity on the axis, for a lens that leans back
     Statement given = Block(prescription);
     given.family = FocusFamily::FocalPlane;
     given.planeNormal = {0.0, -1.0, -0.2};
@@ -217,7 +211,7 @@ TEST(InnerFocus, FollowsTheFocusingScale)
     Statement given = Block(prescription);
     given.focusScale = DistanceOf(prescription, 0.5) + FilmPlaceOf(prescription, 0.5);
     EXPECT_NEAR(Solved(given).groups, 0.5, 1e-9);
-    given.tilt = 5.0;  // turned after focusing
+    given.tilt = 5.0;
     EXPECT_NEAR(Solved(given).groups, 0.5, 1e-9);
 }
 
@@ -268,9 +262,8 @@ TEST(InnerFocus, RefusesInconsistentData)
     ExpectError(kThinGroups, "[\"infinity\", 585.714]", "[\"infinity\", -3]", 2, "object distance of -3");
     ExpectError(kThinGroups, "[\"infinity\", 585.714]", "[\"infinity\", 585.714, 600]", 2, "object distance of 600");
     ExpectError(kThinGroups, "585.714", "700", 2, "is focused at 585.7");
-    // no group moves
     ExpectError(kThinGroups, "[20, 28]", "20", 2, "are all moved thicknesses there");
-    // lists of a zoom lack object-distance, which is an error
+    // a zoom's lists lack object-distance
     ExpectError(kThinGroups, "\"object-distance\": [\"infinity\", 585.714],", "", 6, "a zoom");
 }
 

@@ -26,7 +26,6 @@ namespace
 
 constexpr std::uint32_t kWidth = 40, kHeight = 36;
 
-/// Bright stripes on a dark wall and posts.
 struct Stripes : RayTracer
 {
     double transparency, scale;
@@ -125,7 +124,6 @@ TEST(Kernels, AllVariantsMapTheEdgesOfTheUnitSquareAlike)
         }
 }
 
-/// A radiance that is not finite, or whose square is not, is left out of the sum.
 TEST(Kernels, AllVariantsRefuseRadiancesThatAreNotFinite)
 {
     for (const double bad : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN(), 1e200})

@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Each rule holds for the lenses that it names.
-
 #include "tilt_lens/lens_camera/lens_camera.h"
 
 #include <limits>
@@ -17,7 +15,7 @@ namespace tilt_lens
 namespace
 {
 
-/// 50 mm, f/2.8, 1 unit is 1 mm.
+/// 50 mm, f/2.8; 1 unit is 1 mm.
 struct Setting
 {
     Statement given;
@@ -87,7 +85,7 @@ TEST(LensCamera, EachRuleHoldsForTheLensesThatItNames)
     }
 }
 
-/// Thin: the distorted chief ray; glass: within the image circle only.
+/// A thin lens has the distorted chief ray, glass has rays within its image circle only.
 TEST(LensCamera, MiddleRaysPassTheMiddle)
 {
     const Setting distorts = Setting().With(&Character::distortion1, -0.1);
@@ -112,7 +110,6 @@ TEST(LensCamera, BlurGrowsAwayFromTheSharpPlane)
     EXPECT_NEAR(camera.Blur({0.2, 0.1}, 3000.0, 640.0), 0.0, 1e-9);
     EXPECT_GT(camera.Blur({0.2, 0.1}, 2000.0, 640.0), 1.0);
     EXPECT_LT(camera.Blur({0.2, 0.1}, 5000.0, 640.0), -1.0);
-    // at infinity: aperture times film distance over focus distance, pixels
     const SolvedLens& lens = camera.Solved();
     const double atInfinity = camera.Blur({0.2, 0.1}, std::numeric_limits<double>::infinity(), 640.0);
     EXPECT_NEAR(atInfinity, -lens.diameter * lens.filmDistance / 3000.0 / 36.0 * 640.0, 1e-9);

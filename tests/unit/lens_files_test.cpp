@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// scenes/include/lenses against their sources. A wrong digit would spoil the image.
+// Compares scenes/include/lenses with their sources: a wrong digit would spoil the image.
 
 #include <cmath>
 #include <fstream>
@@ -49,7 +49,7 @@ std::vector<std::string> Fields(const std::string& line)
 struct Stated
 {
     std::string file, patent;
-    double focalLength, fNumber, backFocus;  ///< the last may be 0: not stated
+    double focalLength, fNumber, backFocus;  ///< backFocus may be 0: not stated
 };
 
 std::vector<Stated> Lenses()
@@ -69,7 +69,7 @@ std::vector<Stated> Lenses()
     return lenses;
 }
 
-/// Root mean square radius of a star's image, best focus, relative to the focal length.
+/// Root mean square radius of a star's image in best focus, relative to the focal length.
 double AxialSpot(const GlassLens& lens, double fNumber)
 {
     const CardinalPoints& points = lens.Cardinal();
@@ -121,7 +121,7 @@ TEST(LensFiles, FormSharpImages)
     }
 }
 
-/// Root mean square radius, micrometres, on the axis at the stated back focus; d, C and F lines.
+/// Root mean square radius, micrometres, on the axis at the stated back focus, for the d, C and F lines.
 double SpotOfThreeColours(const Stated& stated)
 {
     const Prescription prescription = ReadPrescription(Whole(stated.file));
@@ -149,8 +149,8 @@ double SpotOfThreeColours(const Stated& stated)
     return 1000.0 * std::sqrt(squares / passed);
 }
 
-/// spot-report.txt of the ray tracer jfotoptix, in the repository BeamFour/Beam42. Only lenses without
-/// glasses of abnormal dispersion, whose focal length and back focus agree with that report.
+/// Source: spot-report.txt of the ray tracer jfotoptix, in the repository BeamFour/Beam42. Leaves out lenses with glasses of abnormal
+/// dispersion, or whose focal length and back focus differ there.
 TEST(LensFiles, SpotsMatchAnotherProgram)
 {
     const std::map<std::string, double> published = {

@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Any input yields a usable lens or an error in words.
-
 #include <functional>
 #include <limits>
 #include <string>
@@ -25,7 +23,7 @@ struct BadCase
 {
     const char* name;
     std::function<void(Request&)> spoil;
-    std::vector<const char*> words; ///< fault, value, allowed values, remedy
+    std::vector<const char*> words;
 };
 
 std::ostream& operator<<(std::ostream& out, const BadCase& bad)
@@ -243,7 +241,6 @@ TEST(BadCamera, PlaneThroughTheLensIsRefusedDespiteRounding)
     }
 }
 
-/// Each number of a request, to be spoiled.
 std::vector<double*> NumbersOf(Request& r)
 {
     Statement& s = r.given;
@@ -377,7 +374,7 @@ TEST(Warnings, NameARimThatPassesThroughTheFilm)
         SCOPED_TRACE(testing::Message() << request);
         const Lens pinhole = Solved(request);
         const double sine = Length(pinhole.normal - Dot(pinhole.normal, pinhole.axis) * pinhole.axis);
-        const double limit = 4.0 * pinhole.filmDistance / sine / request.given.scale;  // aperture: 4 radii
+        const double limit = 4.0 * pinhole.filmDistance / sine / request.given.scale;
         request.given.aperture = 0.999 * limit;
         EXPECT_TRUE(Warnings(Solved(request), request.given).empty());
         request.given.aperture = 1.001 * limit;

@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Signs, shifts, units and the report's numbers, as in the manual.
-
 #include <limits>
 #include <vector>
 
@@ -186,10 +184,9 @@ double BlurInPixels(const Lens& lens, double distance, double width)
     const Vec3 shared = Dot(lens.normal, lens.axis) < 1 - 1e-12 ? Normalized(Cross(lens.axis, lens.normal)) : lens.axisRight;
     const Vec3 chief = Dot(lens.direction, lens.axis) * lens.axis;
     const Vec3 rim = lens.diameter / 2 * shared;
-    // D' - (k.D') l parallel to X - l, l parallel to the film
     const Vec3 path = (distance * lens.axis - rim) * (Length(chief) / distance);
     const Vec3 frame = path + Dot(lens.focus, path) / (1.0 - Dot(lens.focus, rim)) * rim;
-    // `shared` is perpendicular to the axis only up to rounding, large where the normal is nearly parallel to the axis.
+    // rounding leaves `shared` a component along the axis, large where the normal is nearly parallel to it
     return 2 * std::fabs(Dot(frame - chief, shared)) * width / Length(lens.right);
 }
 
@@ -242,7 +239,7 @@ TEST(SharpRange, HyperfocalDistanceIsTheTextbooks)
 
 TEST(Numbers, ParallelLensReadsParallelForAnyOrientation)
 {
-    // rounding must not show: 1e-15 degrees, a hinge line at 1e17 units
+    // rounding must not show as 1e-15 degrees or 1e17 units
     Random random(7);
     for (int i = 0; i < 1000; i++)
     {

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Laws of textbooks for solved lenses of any tilt; no formula of the library is repeated.
+// Checks laws of textbooks for solved lenses; no formula of the library is repeated.
 
 #include "tilt_lens/camera/optics.h"
 
@@ -23,7 +23,6 @@ Vec3 CameraPart(const Lens& lens, const Vec3& v)
     return {Dot(v, lens.axisRight), Dot(v, lens.axisUp), Dot(v, lens.axis)};
 }
 
-/// Accurate near 0 as well.
 double AngleBetween(const Vec3& a, const Vec3& b)
 {
     return std::atan2(Length(Cross(a, b)), Dot(a, b));
@@ -32,7 +31,6 @@ double AngleBetween(const Vec3& a, const Vec3& b)
 class EveryFamily : public testing::TestWithParam<std::tuple<FocusFamily, bool>>
 {
   protected:
-    /// Calls check(request, lens) for many random cameras.
     template<typename Check>
     void ForMany(Check check)
     {
@@ -87,7 +85,6 @@ TEST_P(EveryFamily, LengthsAndFrameAreAsStated)
         {
             EXPECT_NEAR(Dot(lens.direction, lens.axis), Dot(request.camera.direction, lens.axis), 1e-15 * width * 8);
         }
-            // the film mirrored at the lens centre, scaled
         EXPECT_NEAR(Dot(lens.direction, lens.axis) / width * film / lens.filmDistance, 1.0, 4e-15);
         const Vec3 moved = CameraPart(lens, lens.direction - request.camera.direction) * (film / width * s.sceneUnit);
         EXPECT_NEAR(moved.x, s.shiftRight, 1e-14 * s.filmWidth);
@@ -105,7 +102,7 @@ TEST_P(EveryFamily, FocusIsAsStated)
     {
         const Statement& s = request.given;
         const auto sharp = [&](const Vec3& world) { return Dot(lens.focus, world - request.camera.location); };
-        const double tolerance = 1e-12; // world coordinates cost some digits
+        const double tolerance = 1e-12;
         const Vec3 n = CameraPart(lens, lens.focus);
         switch (s.family)
         {
@@ -128,7 +125,7 @@ TEST_P(EveryFamily, FocusIsAsStated)
                 for (const Vec3& point : s.points)
                     EXPECT_NEAR(sharp(point), 1.0, tolerance * (1.0 + 20.0 * Length(lens.focus)));
                 break;
-            case FocusFamily::SharpPoints: break; // sharp_points_test.cpp
+            case FocusFamily::SharpPoints: break;
         }
     });
 }
@@ -155,13 +152,12 @@ TEST_P(EveryFamily, LensFilmAndFocusShareALine)
         const Vec3 t = CameraPart(lens, lens.normal), k = CameraPart(lens, lens.focus);
         const double across = std::hypot(t.x, t.y), s = lens.filmDistance;
         if (across < 1e-3)
-            return; // the line is too far away to resolve
+            return;
         const double out = s * t.z / (across * across);
         for (const double along : {-1.0, 0.0, 1.0})
         {
             const Vec3 point{out * t.x - along * s * t.y / across, out * t.y + along * s * t.x / across, -s};
             EXPECT_NEAR(Dot(t, point) / Length(point), 0.0, 1e-14);
-                // the rounding of t, and k's of t/f
             EXPECT_NEAR(Dot(k, point), 1.0, 4e-15 * (Length(k) + 1.0 / lens.focalLength) * Length(point));
         }
     });
@@ -173,7 +169,7 @@ TEST_P(EveryFamily, ObeysTheHingeRule)
     {
         const double turn = AngleBetween(lens.normal, lens.axis);
         EXPECT_NEAR(HingeDistanceOf(lens) * std::sin(turn) / lens.focalLength, 1.0, 4e-15 / std::sin(turn));
-        // the hinge line: plane of sharp focus meets the plane through the lens parallel to the film, where the lens leans away
+        // in the hinge line, the plane of sharp focus meets the plane through the lens parallel to the film
         const Vec3 t = CameraPart(lens, lens.normal), k = CameraPart(lens, lens.focus);
         const double across = std::hypot(t.x, t.y);
         const Vec3 foot{HingeDistanceOf(lens) * t.x / across, HingeDistanceOf(lens) * t.y / across, 0.0};
@@ -219,7 +215,6 @@ TEST_P(EveryFamily, ScaleMovesLengthsOnly)
             s.planeDistance *= factor;
             s.scale *= factor;
             const Lens same = Solved(scaled);
-            // exact powers of two; so must be products of small coordinates
             EXPECT_EQ(same.focalLength, factor * lens.focalLength);
             EXPECT_EQ(same.filmDistance, factor * lens.filmDistance);
             EXPECT_EQ(same.diameter, factor * lens.diameter);
@@ -234,7 +229,6 @@ TEST_P(EveryFamily, WorksFarFromTheOrigin)
 {
     ForMany([](const Request& request, const Lens& lens)
     {
-        // multiples of 2^-20 are exact at 1e7 units
         Request near = request, far = request;
         const auto grid = [&](const Vec3& v)
         {
@@ -256,7 +250,7 @@ TEST_P(EveryFamily, WorksFarFromTheOrigin)
         near.given.planeDistance = Dot(unit, near.given.focalPoint);
         far.given.planeDistance = near.given.planeDistance + Dot(unit, place);
         if (Length(near.given.focalPoint) < 1.0)
-            return;  // the scale is not meant for this distance
+            return;
         const Lens a = Solved(near), b = Solved(far);
         const double tolerance = request.given.family == FocusFamily::FocalPlane ? 1e-7 * Length(lens.focus) : 0.0;
         EXPECT_LE(Length(b.focus - a.focus), tolerance * Length(a.focus));
@@ -265,7 +259,6 @@ TEST_P(EveryFamily, WorksFarFromTheOrigin)
     });
 }
 
-/// The angles lie in the camera's vertical plane.
 double PaperLensAngle(double filmDistance, double focusAngle, double distance)
 {
     return std::atan(filmDistance * std::tan(focusAngle) / (distance + filmDistance));
@@ -290,13 +283,12 @@ TEST(PaperEquation, HoldsInBothDirections)
         ASSERT_NEAR(TiltOf(lens) * kDegree, turn, 1e-15 * (1 + 20.0 / distance));
         ASSERT_NEAR(FocusAngleOf(lens) * kDegree, std::fabs(angle), 4e-15);
 
-        // and the inverse equation
         request.given.family = FocusFamily::LensTurn;
         request.given.tilt = turn / kDegree;
         request.given.swing = 0.0;
         const Lens back = Solved(request);
         const Vec3 n = CameraPart(back, back.focus);
-        const double slope = (s + distance) / s;  // amplification of an error of the lens's angle
+        const double slope = (s + distance) / s;
         ASSERT_NEAR(std::atan2(-n.y, n.z), angle, 1e-15 * (2.0 + slope * std::fabs(turn) + 20.0 / distance));
         ASSERT_NEAR(back.focalLength / lens.focalLength, 1.0, 1e-13);
     }

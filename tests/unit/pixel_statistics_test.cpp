@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Statistics of a pixel: mean, variance, buffers, emitter samples.
-
 #include "tilt_lens/sampling/pixel_statistics.h"
 
 #include <algorithm>
@@ -76,7 +74,6 @@ TEST(PixelStatistics, NonFiniteSamplesAreBlackAndCounted)
     }
 }
 
-/// Some groups of samples are added at once.
 TEST(PixelStatistics, AddingGroupsEqualsAddingOneByOne)
 {
     for (const double odd : {0.3, 1e200, HUGE_VAL, std::numeric_limits<double>::quiet_NaN()})

@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Variance of stratified over independent samples, from the two buffers.
-
 #include "tilt_lens/sampling/pixel_variance.h"
 
 #include <cmath>
@@ -93,13 +91,12 @@ TEST(VarianceRatio, IsShrunkTowardsThePriorForFewNoisyPixels)
     VarianceRatioTerms one;
     one.dualBuffer = 0.0, one.independent = 1.0, one.squaredIndependent = 1.0;
     EXPECT_NEAR(one.Ratio(0.9), 0.9 * prior / (1.0 + prior), 1e-15);
-    VarianceRatioTerms many;  // 25 equal pixels
+    VarianceRatioTerms many;
     many.dualBuffer = 0.0, many.independent = 25.0, many.squaredIndependent = 25.0;
     EXPECT_NEAR(many.Ratio(0.9), 0.9 * prior / (25.0 + prior), 1e-15);
     EXPECT_EQ(VarianceRatioTerms().Ratio(0.9), 0.9) << "no noise at all";
 }
 
-// Four iterations leave an error of a few per cent.
 TEST(VarianceRatio, RatioOfMeanSolvesBothEquations)
 {
     for (const double n : {8.0, 64.0, 4096.0})
@@ -111,7 +108,6 @@ TEST(VarianceRatio, RatioOfMeanSolvesBothEquations)
             }
 }
 
-/// Halves of four samples: one white, one black, except one pixel.
 TEST(RatiosOrOutliers, AnOutlierKeepsItsOwn)
 {
     const auto split = [](const SampleId& id, SampleResult& result)

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Rays in long double (11 more bits), whole cameras against 50 digits.
+// Compares rays with long double, and whole cameras with 50 digits.
 
 #include <cfloat>
 #include <cstdio>
@@ -24,7 +24,7 @@ static_assert(LDBL_MANT_DIG >= 64, "the rays' reference needs more digits than d
 const FocusFamily kFamilies[] = {FocusFamily::LensTurn, FocusFamily::FocusTurn, FocusFamily::FocalPlane, FocusFamily::FocalPoints};
 const char* const kFamilyNames[] = {"lens turn", "focus turn", "focal plane", "focal points"};
 
-/// In last places (2^-52) of the true length.
+/// Error in last places (2^-52) of the true length.
 template<typename Real>
 double Ulps(const Vec<Real>& value, const Vec<Real>& truth)
 {
@@ -65,7 +65,6 @@ TEST(Precision, ARayIsFormedToAFewUnitsOfTheLastPlace)
             Vec<long double> truth;
             const LensRay exact = ExactRay(lens, x, y, a, b, truth), ray = MakeRay(lens, x, y, a, b);
             const double ulps = Ulps(As<long double>(ray.direction), truth);
-            // written so that NaN fails
             if (!(ulps <= 4.0) || !(Length(ray.origin - exact.origin) <= 0x1p-50 * lens.diameter))
                 FAIL() << ulps << " ulp\n" << request << "\nx " << x << " y " << y << " a " << a << " b " << b;
             worst = std::max(worst, ulps);
@@ -75,7 +74,6 @@ TEST(Precision, ARayIsFormedToAFewUnitsOfTheLastPlace)
     std::printf("[          ] %d rays: mean %.2f ulp, worst %.2f ulp\n", rays, sum / rays, worst);
 }
 
-/// Errors from the statement to the ray.
 struct Tally
 {
     double worst = 0.0, sum = 0.0;

@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Lens files: the three forms agree, and errors name the line.
-
 #include "tilt_lens/glass/prescription.h"
 
 #include <cmath>
@@ -73,7 +71,6 @@ void ExpectTriplet(const Prescription& lens)
     }
 }
 
-/// The text must contain the part.
 std::string With(std::string text, const std::string& part, const std::string& by)
 {
     const std::size_t at = text.find(part);
@@ -100,7 +97,7 @@ TEST(Prescription, AllFormsAgree)
     for (const char* text : {kPbrt, kLentil, kIset})
         ExpectTriplet(ReadPrescription(text));
     ExpectTriplet(ReadPrescription(kLentil, "a triplet"));
-    // a stop may have the index of air, a lens be alone in its file
+    // a stop may have the index of air, and a lens may be alone in its file
     ExpectTriplet(ReadPrescription(With(kPbrt, "0    1    0 ", "0    1    1 ")));
     ExpectTriplet(ReadPrescription(With(kIset, "\"ior\": 0", "\"ior\": 1")));
     ExpectTriplet(ReadPrescription(With(With(kLentil, "\"a triplet\": {", ""), "]\n  }", "]")));
@@ -111,7 +108,7 @@ TEST(Prescription, PlanesBesideAMarkedStopAreRims)
     const Prescription lens = ReadPrescription(With(kPbrt, "-25  1.5", "0 2 1 8\n-25  1.5"));
     EXPECT_EQ(lens.stop, 2u);
     EXPECT_EQ(lens.rows.size(), 8u);
-    // the files are indistinguishable without a mark
+    // without a mark the files look alike
     ExpectError(With(With(kPbrt, "-25  1.5", "0 2 1 8\n-25  1.5"), "0    1    0 ", "0    1    1 "), 6, "second stop");
 }
 
@@ -133,7 +130,6 @@ TEST(Prescription, ReadsAbbeNumbers)
     EXPECT_EQ(ReadPrescription(kLentil).rows[0].abbe, 50.0);
     EXPECT_EQ(ReadPrescription(With(kPbrt, "1.6   14", "1.6   14 50")).rows[0].abbe, 50.0);
     EXPECT_EQ(ReadPrescription(With(kIset, "\"ior\": 1.6,", "\"ior\": 1.6, \"abbe\": 50,")).rows[0].abbe, 50.0);
-    // the glass's Abbe number; an error names the line without one
     const Prescription inGlass = ReadPrescription("20 3 1.6 14 50\n0 1 0 9\n-22 40 1 12\n");
     EXPECT_EQ(inGlass.rows[1].abbe, 50.0);
     EXPECT_EQ(ReadPrescription(kPbrt).rows[3].line, 6);
@@ -246,7 +242,6 @@ TEST(Prescription, ChoosesFromADatabase)
     ExpectError(both, 0, "no lens of the name 'third'", "third");
     ExpectError(both, 0, "no lens of the name 'a triplet, another'", "a triplet, another");
     ExpectError(kIset, 0, "holds one lens", "third");
-    // the line of the chosen lens, 13 lines farther down
     const std::string wrong = "{" + lens + "," + With(With(lens, "a triplet", "another"), "\"ior\": 1.6", "\"ior\": 9") + "}";
     ExpectError(wrong, 4 + 13, "index of refraction of 9", "another");
 }

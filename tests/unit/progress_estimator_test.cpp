@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Expected cost of pixels, and the sum over tiles.
-
 #include "tilt_lens/sampling/progress_estimator.h"
 #include "tilt_lens/settings.h"
 
@@ -37,7 +35,7 @@ void TryAll(ProgressEstimator& map, std::uint32_t x, double right)
 
 TEST(ExpectedSamples, IsTheSampleVarianceOverTheTarget)
 {
-    // 0 and 1 in turn: 8/7 * 1/4 of one sample
+    // 0 and 1 in turn have the variance 8/7 * 1/4
     std::vector<Radiance> tried;
     for (int i = 0; i < 8; i++)
         tried.push_back(Grey(i % 2));

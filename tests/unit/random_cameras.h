@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file random_cameras.h
-/// Random solvable cameras of every family and both handednesses, printable for failures. Beyond photography: angles of view from 10 to
-/// 100 degrees, lens turns up to 30, planes up to 75 degrees, focus from 5 to 10^4 focal lengths, f/1 to f/32.
+/// Random solvable cameras, printable for failures: angles of view from 10 to 100 degrees, lens turns up to 30, planes up to 75 degrees,
+/// focus from 5 to 10^4 focal lengths, f/1 to f/32.
 
 #ifndef TILT_LENS_TESTS_RANDOM_CAMERAS_H
 #define TILT_LENS_TESTS_RANDOM_CAMERAS_H
@@ -24,7 +24,7 @@ namespace tilt_lens
 
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
-/// Numbers are the same for every standard library.
+/// Gives the same numbers with every standard library.
 class Random
 {
   public:
@@ -98,7 +98,6 @@ inline std::shared_ptr<const SolvedLens> Shared(const SolvedLens& lens)
     return std::make_shared<const SolvedLens>(lens);
 }
 
-/// Axes are often sheared.
 inline CameraFrame RandomFrame(Random& random)
 {
     const Vec3 axis = random.Direction();
@@ -116,7 +115,6 @@ inline CameraFrame RandomFrame(Random& random)
     return camera;
 }
 
-/// The film's normal points into the scene.
 inline Vec3 AxisOf(const CameraFrame& camera)
 {
     const Vec3 axis = Normalized(Cross(camera.right, camera.up));
@@ -164,7 +162,7 @@ inline Request RandomRequest(Random& random, FocusFamily family, bool focalLengt
     return request;
 }
 
-/// The film is well behind the lens, no lens point near it.
+/// True if the film is well behind the lens.
 inline bool CouldBeBuilt(const Lens& lens)
 {
     for (int corner = 0; corner < 4; corner++)
@@ -177,7 +175,6 @@ inline bool CouldBeBuilt(const Lens& lens)
     return dip < 0.5 * lens.filmDistance && lens.diameter < 2.0 * lens.focalLength;
 }
 
-/// A request whose lens could be built.
 inline Request SolvableRequest(Random& random, FocusFamily family, bool focalLengthGiven, Lens& lens)
 {
     for (;;)
@@ -189,7 +186,7 @@ inline Request SolvableRequest(Random& random, FocusFamily family, bool focalLen
         }
         catch (const OpticsError&)
         {
-            continue;  // no lens: a focal length too long, or a plane too near
+            continue;
         }
         if (CouldBeBuilt(lens))
             return request;

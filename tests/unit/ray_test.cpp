@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Origin, focus, blur. The check follows light to the film by the thin lens equation.
+// Follows light to the film by the thin lens equation.
 
 #include "tilt_lens/camera/ray.h"
 
@@ -80,12 +80,10 @@ TEST(Ray, AllRaysOfAFilmPointMeetInThePlaneOfSharpFocus)
         const Vec3 chief = ChiefRay(lens, x, y);
         const double w = Dot(lens.focus, chief);
         (w > 0.0 ? before : behind)++;
-            // in units of |chief|, times w: holds at any distance
         for (const LensCoordinates& l : kLensPoints)
         {
             const LensRay ray = MakeRay(lens, x, y, l.a, l.b);
             const double size = Length(chief) + std::fabs(w) * Length(ray.origin);
-                // the parameter is negative behind the lens
             EXPECT_LT(Length(w * ray.origin + ray.direction - chief), 4e-15 * size);
             EXPECT_NEAR(Dot(lens.focus, w * ray.origin + ray.direction), w, 1e-14 * Length(lens.focus) * size);
             EXPECT_GT(Dot(ray.direction, lens.normal), 0.0) << "the ray leaves towards the film";
@@ -97,7 +95,6 @@ TEST(Ray, AllRaysOfAFilmPointMeetInThePlaneOfSharpFocus)
 
 TEST(Ray, FocusAtInfinityGivesParallelRays)
 {
-    // the plane of sharp focus: the floor, one unit below the camera
     const CameraFrame camera{{0, 1, 0}, {0, 0, 1}, {1.25, 0, 0}, {0, 1, 0}};
     Statement given;
     given.family = FocusFamily::FocalPlane;
@@ -110,7 +107,6 @@ TEST(Ray, FocusAtInfinityGivesParallelRays)
             const LensRay ray = MakeRay(lens, x, 0.0, l.a, l.b);
             EXPECT_EQ(Length(Cross(ray.direction, ChiefRay(lens, x, 0.0))), 0.0) << l.a << ", " << l.b;
             EXPECT_GT(ray.direction.z, 0.0);
-            // w = 0 at the horizon is no special case
             const Vec3 step = MakeRay(lens, x, 1e-9, l.a, l.b).direction - MakeRay(lens, x, -1e-9, l.a, l.b).direction;
             EXPECT_NEAR(Length(step), 2e-9, 1e-10);
         }
@@ -135,7 +131,7 @@ TEST(Ray, LensPointThatTouchesItsFilmPointHasADirection)
 
 TEST(Ray, KeepsItsDigitsWhereFocusAndRayAreNearlyParallel)
 {
-    // 1e-7 below the lens, almost parallel to the middle row's rays: k is large, k.D is not; turned, so that no component is 0
+    // the plane passes 1e-7 below the lens, almost parallel to the middle row's rays: k is large, k.D is not
     Random random(31);
     for (int i = 0; i < 200; i++)
     {
@@ -158,7 +154,7 @@ TEST(Ray, KeepsItsDigitsWhereFocusAndRayAreNearlyParallel)
 
 TEST(Ray, IsLinearInTheFilmPointForAFixedLensPoint)
 {
-    // a program without lenses renders one lens point at a time
+    // a program without lenses can render one lens point at a time
     ForManyCameras(2000, [](const Request&, const Lens& lens, Random& random)
     {
         const double a = random(-0.7, 0.7), b = random(-0.7, 0.7), x = random(-0.5, 0.5), y = random(-0.5, 0.5);
@@ -170,7 +166,7 @@ TEST(Ray, IsLinearInTheFilmPointForAFixedLensPoint)
     });
 }
 
-/// From a scene point through l: on the line through the lens centre, 1/g + 1/b = 1/f.
+/// Film point on the line through the lens centre, by 1/g + 1/b = 1/f.
 Vec3 FilmPointOfLight(const Lens& lens, const Vec3& point, const Vec3& l)
 {
     const double g = Dot(point, lens.normal);
@@ -191,7 +187,6 @@ TEST(Ray, IsThePathOfLightFromSceneToFilm)
         for (const LensCoordinates& p : kLensPoints)
         {
             const Vec3 l = p.a * lens.lensX + p.b * lens.lensY;
-                // the film, mirrored at the lens centre, is the frame
             const Vec3 film = FilmPointOfLight(lens, point, l);
             const Vec3 frame = film * (-Dot(lens.direction, lens.axis) / lens.filmDistance) - lens.direction;
             const double y = Dot(frame, lens.axisUp) / Dot(lens.up, lens.axisUp);
@@ -206,8 +201,8 @@ TEST(Ray, IsThePathOfLightFromSceneToFilm)
 
 TEST(Blur, IsTheEllipseOfTheTurnedDisc)
 {
-    // From the image of Z on the axis, the film sees the turned disc as an ellipse. Its half axes are v r / sqrt(1 - e^2) along the
-    // line of lens and film and v r cos(theta) / (1 - e^2) across; e = r sin(theta) (1/s - 1/Z + 1/Z_focus).
+    // From the image of Z on the axis, the film sees the turned disc as an ellipse. Its half axes are v r / sqrt(1 - e^2) along the line
+    // of lens and film and v r cos(theta) / (1 - e^2) across, with e = r sin(theta) (1/s - 1/Z + 1/Z_focus).
     ForManyCameras(2000, [](const Request&, const Lens& lens, Random& random)
     {
         const double Z = lens.focalLength * random.Power(0.7, 4.0), r = lens.diameter / 2;
@@ -248,9 +243,7 @@ TEST(Blur, VergenceIsTheBlurOfAParallelLens)
         const double T = random.Power(0.5, 4.0) * lens.focalLength / Dot(chief, lens.axis);
         const Vec3 l = a * lens.lensX + b * lens.lensY;
         const Vec3 moved = FilmPointOfLight(lens, T * chief, l) - FilmPointOfLight(lens, T * chief, {0, 0, 0});
-        // scale of film over frame
         const double scale = lens.filmDistance / Dot(chief, lens.axis), blur = BlurVergence(lens, chief, T);
-        // a difference of points has their rounding error
         EXPECT_LT(Length(moved - scale * blur * l), 4e-15 * scale * Length(chief));
     });
 }
@@ -271,5 +264,5 @@ TEST(Blur, VergenceHasTheSignOfTheDefocusAndStaysFinite)
     });
 }
 
-} // namespace
-} // namespace tilt_lens
+}  // namespace
+}  // namespace tilt_lens

@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Pixels without noise and edges stay, noise goes, the remaining variance is reported.
-
 #include "tilt_lens/reconstruction/reconstruction.h"
 
 #include <algorithm>
@@ -59,7 +57,6 @@ struct Errors
     double before = 0.0, after = 0.0, claimed = 0.0;
 };
 
-/// Errors over many blocks of noise around `truth`.
 Errors ErrorsOf(const std::function<double(int, int)>& truth, double variance)
 {
     std::mt19937 random(7);
@@ -103,7 +100,7 @@ TEST(Reconstruction, RemovesNoiseOfSmoothAreasAndReportsTheRest)
         }
 }
 
-// Waves of 100 to 6 pixels, a tenth to ten deviations of the noise: in some the noise goes, in others it must stay.
+// Waves of 100 to 6 pixels, a tenth to ten deviations of the noise.
 TEST(Reconstruction, ReportsRemainingNoiseAndBias)
 {
     double least = 1.0, greatest = 0.0;
@@ -142,7 +139,7 @@ TEST(Reconstruction, KeepsDetailThatResemblesNoise)
 
 TEST(Reconstruction, MirrorsBlocksForUnknownNeighbours)
 {
-    // any known neighbours; 1000 times the block's number plus the index
+    // values are 1000 times the block's number plus the index
     for (int known = 0; known < 256; known++)
     {
         std::array<BlockStatistics, 9> blocks;
@@ -162,7 +159,7 @@ TEST(Reconstruction, MirrorsBlocksForUnknownNeighbours)
                 const auto blockOf = [](int at) { return at < 0 ? 0 : at < kSide ? 1 : 2; };
                 const auto mirror = [](int& at) { at = at < 0 ? -1 - at : at < kSide ? at : 2 * kSide - 1 - at; };
                 int u = x, v = y;
-                if (!places[3 * blockOf(v) + blockOf(u)])  // the nearest in this row, else in this column, else the middle block
+                if (!places[3 * blockOf(v) + blockOf(u)])
                 {
                     const bool sameRow = places[3 * blockOf(v) + 1], sameColumn = places[3 + blockOf(u)];
                     if (sameRow || !sameColumn)
@@ -192,7 +189,6 @@ TEST(Reconstruction, RepeatsPixelsBeyondThePicturesEdge)
 
 TEST(Reconstruction, LampsLeaveDarkPixelsBesideThemUnharmed)
 {
-    // a lamp's noise is far above the surroundings
     for (const double lamp : {10.0, 1e3, 1e6})
         for (const double dark : {0.0, 0.5})
         {
@@ -219,7 +215,7 @@ TEST(Reconstruction, TransparencyIsFilteredWithTheColours)
     const PaddedBlock around = Make([&](int x, int)
     {
         Pixel e = Noisy(0.5, 1e-3, random);
-        e.mean[4] = x < 4 ? 1.0f : 0.0f;  // an outline in the transparency alone
+        e.mean[4] = x < 4 ? 1.0f : 0.0f;
         return e;
     });
     const ReconstructedBlock rebuilt = Reconstruct(around);

@@ -15,7 +15,7 @@
 namespace tilt_lens
 {
 
-/// Newton from the double's root: 53, 107, 215 digits. Boost's root, digit by digit, is too slow for ten million cameras.
+/// Newton's method from the double's root: Boost's own root is too slow for ten million cameras.
 template<typename Real>
 Real Root(const Real& a)
 {
@@ -96,7 +96,6 @@ class ReferenceCamera
 
     V Chief(double x, double y) const { return direction + V(camera.right) * Real(x) + V(camera.up) * Real(y); }
     V LensPoint(double a, double b) const { return Turned(right) * (radius * Real(a)) + Turned(up) * (radius * Real(b)); }
-    /// The plane of sharp focus is Focus().X = 1.
     V Focus() const { return n * (Real(1) / d); }
     Real Radius() const { return radius; }
     Real FilmDistance() const { return s; }

@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The library makes samples of a renderer's radiance and distance.
-
 #include "tilt_lens/sampling/sample_tracer.h"
 
 #include <cmath>
@@ -22,7 +20,7 @@ namespace
 
 constexpr std::uint32_t kWidth = 64, kHeight = 48;
 
-/// A wall across the axis. Remembers the requested ranges.
+/// A wall across the axis that remembers the requested ranges.
 struct Wall : RayTracer
 {
     double distance = 20.0;
@@ -148,7 +146,7 @@ TEST(SampleTracer, DoesNotAskForBlockedRays)
     EXPECT_GT(tracer.refusedRays, 0u);
 }
 
-/// They draw the same random numbers, each for its channel.
+/// All three rays draw the same random numbers.
 TEST(SampleTracer, MixesASampleOfThreeColours)
 {
     Character fringes;
@@ -169,7 +167,6 @@ TEST(SampleTracer, MixesASampleOfThreeColours)
     }
 }
 
-/// Only here the footprint describes circles of confusion.
 TEST(SampledCamera, SpreadsSamplesOnlyWhereTheirCirclesAreKnown)
 {
     EXPECT_TRUE(CameraWith(StatementWith()).spreads);
@@ -178,7 +175,6 @@ TEST(SampledCamera, SpreadsSamplesOnlyWhereTheirCirclesAreKnown)
     EXPECT_FALSE(CameraWith(StatementOfGlass()).spreads);
 }
 
-/// In a denoised picture with samples aimed at emitters.
 TEST(SampledCamera, TakesMoreFirstSamplesWhereNoneCanBeAimed)
 {
     EXPECT_EQ(CameraWith(StatementWith()).limits.min, settings.firstSamples);

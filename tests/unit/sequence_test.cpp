@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Properties, not values. Fixed seeds, bounds of stated significance.
+// Tests properties of the points, with fixed seeds and bounds of stated significance.
 
 #include "tilt_lens/sampling/sequence.h"
 
@@ -58,7 +58,7 @@ std::vector<Point> Block(const Pixel& p, std::uint32_t first, int count)
     return points;
 }
 
-/// Intervals of 2^split[d] parts along d have `expected` points each.
+/// Expects `expected` points in each box of 2^-split[d] along d.
 void ExpectStratified(const std::vector<Point>& points, const std::array<int, dimensions>& split, int expected)
 {
     std::vector<int> count(std::size_t{1} << (split[0] + split[1] + split[2] + split[3]));
@@ -228,7 +228,6 @@ TEST(PixelSampler, ScramblingIsOwens)
         }
 }
 
-/// An integrand with its exact mean.
 struct Integrand
 {
     const char* name;
@@ -273,7 +272,6 @@ double MeanOf(const Integrand& integrand, const Pixel& p, int samples)
     return sum / samples;
 }
 
-/// Sums for a mean and its standard error.
 struct Tally
 {
     double n = 0, sum = 0, squares = 0;
@@ -307,7 +305,6 @@ TEST_P(SamplerIntegral, IsUnbiased)
 
 TEST_P(SamplerIntegral, ErrorsOfNeighboursAndSeedsAreUncorrelated)
 {
-    // neighbours by rows, columns and diagonals, and seeds
     const Pixel steps[] = {{1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 0, 0}, {0, 0, 1}, {0, 0, 2}, {1, 0, 1}, {1, 0, 0u - 1}};
     for (int samples : {1, 4, 16})
         for (const Pixel& step : steps)
@@ -357,7 +354,7 @@ TEST_P(SamplerIntegral, ErrorFallsFasterThanForRandomSamples)
 {
     const double few = RootMeanSquareError(GetParam(), 16), many = RootMeanSquareError(GetParam(), 4096);
     const double slope = std::log2(many / few) / 8;
-    // exponents: at best 1.5 for bounded variation, 0.75 for an edge in two dimensions, 0.5 for random samples
+    // best exponents: 1.5 for bounded variation, 0.75 for an edge in two dimensions, 0.5 for random samples
     const bool smooth = GetParam().name == integrands[0].name;
     EXPECT_LT(slope, smooth ? -0.7 : -0.6) << "errors " << few << " and " << many;
 }
@@ -398,7 +395,7 @@ TEST(PixelHash, FlippingAnyInputBitFlipsHalfOfTheOutput)
                 for (int out = 0; out < 32; ++out)
                     flips[out] += static_cast<int>((change >> out) & 1u);
             }
-            // 6 standard deviations, 32 each, of 4096 fair coins
+            // 6 standard deviations of 4096 fair coins, 32 each
             for (int out = 0; out < 32; ++out)
                 EXPECT_NEAR(flips[out], 2048, 192) << "argument " << argument << ", bit " << bit << ", output bit " << out;
         }

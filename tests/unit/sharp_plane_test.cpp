@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sharp_plane_test.cpp
-/// The least greatest blur against brute force: of all sets of four, three and two points, the worst best plane.
+/// Compares the least greatest blur with brute force over all sets of four, three and two points.
 
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ Real Volume(const RealVec& a, const RealVec& b, const RealVec& c)
     return Dot(Cross(a, b), c);
 }
 
-/// Cramer's rule for four equations, in general position.
+/// Cramer's rule for four equations in general position.
 Real DeviationOf(const Equations& e, const std::size_t (&at)[4])
 {
     const RealVec &a = e[at[0]].direction, &b = e[at[1]].direction, &c = e[at[2]].direction, &d = e[at[3]].direction;
@@ -57,7 +57,7 @@ Real DeviationOf(const Equations& e, const std::size_t (&at)[4])
     return scale > 0 ? Real(abs(sum) / scale) : Real(0);
 }
 
-/// Duality: the greatest deviation of a set of four.
+/// By duality, the greatest deviation of a set of four.
 Real BruteForce(const Equations& e)
 {
     Real greatest = 0;
@@ -85,7 +85,6 @@ std::vector<Vec3> RandomPoints(Random& random, int count, double width, double f
     return points;
 }
 
-/// No small change of k lowers the greatest residual.
 void ExpectLocalMinimum(Random& random, const Equations& equations, const RealVec& k)
 {
     const Real least = GreatestResidual(equations, k);
@@ -174,7 +173,7 @@ TEST(SharpPlane, PassesThroughAllPointsOfAPlane)
     }
 }
 
-/// Three points on a line leave a choice, which the others make.
+/// Three points on a line leave a choice of planes to the others.
 TEST(SharpPlane, ServesOtherPointsWhereThreeBind)
 {
     Random random(6);
@@ -182,7 +181,7 @@ TEST(SharpPlane, ServesOtherPointsWhereThreeBind)
     {
         Equations equations;
         for (int j = 0; j < 3; j++)
-            equations.push_back({{j - 1.0, 0, 1}, j == 1 ? 2 : 1});  // blur of 1/2, by turns
+            equations.push_back({{j - 1.0, 0, 1}, j == 1 ? 2 : 1});
         const int others = 1 + i % 3;
         for (int j = 0; j < others; j++)
             equations.push_back({{random(-0.5, 0.5), random(0.1, 0.5), 1}, Real(1.5) + random(-0.2, 0.2)});
@@ -207,7 +206,7 @@ TEST(SharpPlane, TakesTheMiddleOfPointsOnOneRay)
     Equations equations{{{0, 0, 1}, 1}, {{0, 0, 1}, 2}, {{0, 0, 1}, Real(1.25)}, {{0.5, 0, 1}, 1}, {{0, 0.5, 1}, 1}};
     const RealVec k = LeastGreatestBlur(equations);
     EXPECT_EQ(double(k.z), 1.5);
-    EXPECT_EQ(double(k.x), -1.0);  // sharp there
+    EXPECT_EQ(double(k.x), -1.0);
     EXPECT_EQ(double(k.y), -1.0);
 }
 

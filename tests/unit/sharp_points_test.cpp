@@ -1,9 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// @file sharp_points_test.cpp
-/// As a whole camera solves it.
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +17,6 @@ namespace tilt_lens
 namespace
 {
 
-/// Points about a plane in front of a random camera.
 Request WithPoints(Random& random, bool focalLengthGiven, int count)
 {
     Request request = RandomRequest(random, FocusFamily::SharpPoints, focalLengthGiven);
@@ -69,7 +65,7 @@ TEST(SharpPoints, NoOtherPlaneBlursLess)
         }
         catch (const OpticsError&)
         {
-            continue;  // no lens does that
+            continue;
         }
     }
     EXPECT_GT(lenses, 300);
@@ -121,7 +117,6 @@ TEST(SharpPoints, ThreeAreFocalPoints)
     }
 }
 
-/// Any angle of view, and traits of real lenses.
 TEST(SharpPoints, WidestApertureHoldsAll)
 {
     Random random(4);
@@ -153,7 +148,6 @@ TEST(SharpPoints, WidestApertureHoldsAll)
             held++;
             ASSERT_NEAR(greatest, *request.given.sharpWithin, 1e-9 * greatest) << request;
         }
-        // the same lens, written with that f-number
         const double limit = *request.given.sharpWithin;
         request.given.sharpWithin.reset();
         request.given.fStop = stop;
@@ -162,7 +156,6 @@ TEST(SharpPoints, WidestApertureHoldsAll)
     EXPECT_GT(held, 100);
 }
 
-/// Compares with all planes across the axis.
 TEST(SharpPoints, KnowsTheBestLensWithoutTilt)
 {
     Random random(5);

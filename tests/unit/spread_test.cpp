@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Spread samples: positions, and shares sent and received.
-
 #include "tilt_lens/reconstruction/padded_spread.h"
 
 #include <array>
@@ -34,14 +32,13 @@ Vec3 ChiefThrough(const Lens& lens, const Vec3& point)
     return point * (Dot(lens.direction, lens.axis) / Dot(point, lens.axis));
 }
 
-/// Pixels: from the upper left corner; film: from a chief ray.
 FilmPoint PixelOf(const Lens& lens, const Vec3& chief)
 {
     const Vec3 along = chief - lens.direction, r = Cross(lens.up, lens.axis), u = Cross(lens.axis, lens.right);
     return {(Dot(along, r) / Dot(lens.right, r) + 0.5) * kWidth, (0.5 - Dot(along, u) / Dot(lens.up, u)) * kHeight};
 }
 
-/// By iteration: chief ray = point / T - (1/T - w) lens point.
+/// Solves chief ray = point / T - (1/T - w) lens point by iteration.
 FilmPoint PixelThrough(const Lens& lens, const Vec3& point, const AperturePoint& at)
 {
     const Vec3 l = at.a * lens.lensX + at.b * lens.lensY;
@@ -49,7 +46,6 @@ FilmPoint PixelThrough(const Lens& lens, const Vec3& point, const AperturePoint&
     for (int i = 0; i < 200; i++)
     {
         const double w = Dot(lens.focus, chief);
-        // T is the depth along the axis
         const double inverse = (Dot(lens.direction, lens.axis) - w * Dot(l, lens.axis)) / Dot(point - l, lens.axis);
         chief = inverse * point - (inverse - w) * l;
     }
@@ -70,7 +66,7 @@ TEST(LensFootprint, CirclesMatchRaysThroughTheLens)
         const double T = random.Power(-0.5, 2.0) * lens.filmDistance * 10.0 / Length(ray.direction);
         const Vec3 point = ray.origin + T * ray.direction;
         if (Dot(point, lens.axis) < 0.2 * Length(point))
-            continue;  // beside the camera
+            continue;
         const CircleOfConfusion circle = footprint.CircleOf(film, at, 1.0 / T - ray.w);
         const FilmPoint middle = PixelOf(lens, ChiefThrough(lens, point));
         const double size = std::hypot(std::hypot(circle.xa, circle.xb), std::hypot(circle.ya, circle.yb));
@@ -97,7 +93,6 @@ CircleOfConfusion CircleAt(const LensFootprint& lens, float x, float y, float ra
     return {x, y, radius, 0.0f, 0.0f, radius, &lens};
 }
 
-/// Received red, green, blue and shares.
 Float4 SentTo(const SpreadSums& sums, int x, int y)
 {
     Float4 sent;
@@ -106,7 +101,7 @@ Float4 SentTo(const SpreadSums& sums, int x, int y)
     return sent;
 }
 
-// Nearly: possible senders are counted by a product of lengths.
+// Nearly, because possible senders are counted by a product of lengths.
 TEST(SpreadSums, SharesAddUpToNearlyOneInCirclesWithinReach)
 {
     for (const Aperture& aperture : {Aperture::Disc(), Aperture::Polygon(5, 0.3)})
@@ -137,7 +132,6 @@ TEST(SpreadSums, SharesAddUpToNearlyOneInCirclesWithinReach)
     }
 }
 
-/// A sample's window along rows or columns.
 double Window(double distance)
 {
     const double radius = kReach + 1.0;
@@ -156,7 +150,6 @@ double SendersTo(int pixel, double middle, double half, double begin, double end
     return std::max(1.0, sum * (to - from) / kSteps);
 }
 
-/// The picture's corner cuts off circles.
 TEST(SpreadSums, SharesAreTheWindowOverThatOfAllPossibleSenders)
 {
     Random random(13);
@@ -172,7 +165,7 @@ TEST(SpreadSums, SharesAreTheWindowOverThatOfAllPossibleSenders)
         const auto window = [&](int u, int v) { return Window(u - column) * Window(v - row); };
         int count = 0;
         double sum = 0.0;
-        bool clear = true;  // no pixel lies at the rim, where rounding decides
+        bool clear = true;  // rounding decides about pixels at the rim
         for (int v = row - kReach; v <= row + kReach; v++)
             for (int u = column - kReach; u <= column + kReach; u++)
             {
@@ -226,7 +219,7 @@ TEST(SpreadSums, AreTheSameWithAllKernels)
     }
 }
 
-/// In 3 by 3 blocks; a sample's radiance is its squared distance from the pixel's centre.
+/// In 3 by 3 blocks, with each sample's squared distance from the pixel's centre as radiance.
 double MeanSquareDistanceOf(int pixelX, int pixelY, float radius)
 {
     const LensFootprint lens(RoundLens(), Aperture::Disc(), 3.0 * kSide, 3.0 * kSide);
@@ -279,7 +272,7 @@ TEST(SpreadSums, SharpOrNonFiniteSamplesServeTheirOwnPixelAlone)
 }
 
 /// Two samples a pixel, all equally blurred.
-/// @param leftSamples samples per pixel in the left block
+/// @param leftSamples  samples per pixel in the left block
 std::shared_ptr<const PaddedSpread> Received(const LensFootprint& lens, float radius, const std::function<double(int, int, int)>& grey,
                                              int leftSamples = 2)
 {
@@ -361,7 +354,6 @@ TEST(PaddedSpread, PixelsThatReceivedNothingKeepTheirOwnMean)
     EXPECT_EQ(received->ownShare[PaddedBlock::At(10, 10)], 1.0f);
 }
 
-/// A block of evenly blurred noise, reconstructed with spread samples.
 TEST(Reconstruction, SpreadSamplesRemoveMoreNoiseThanFilters)
 {
     const LensFootprint lens(RoundLens(), Aperture::Disc(), kWidth, kHeight);

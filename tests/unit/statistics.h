@@ -1,9 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// @file statistics.h
-/// Statistics for tests of random quantities.
-
 #ifndef TILT_LENS_TESTS_STATISTICS_H
 #define TILT_LENS_TESTS_STATISTICS_H
 
@@ -20,7 +17,7 @@ inline double Square(double x)
     return x * x;
 }
 
-/// Pearson: the probability that such samples fit no better. 0 if a bin of probability 0 has a sample.
+/// Pearson's test: the probability that such samples fit no better. 0 if a bin of probability 0 has a sample.
 inline double ChiSquareP(const std::vector<double>& count, const std::vector<double>& probability)
 {
     double total = 0, chi = 0;
@@ -40,7 +37,7 @@ inline double ChiSquareP(const std::vector<double>& count, const std::vector<dou
         ++used;
     }
     if (used == 1)
-        return 1;  // the only bin contains every sample
+        return 1;
     const boost::math::chi_squared law(used - 1);
     return boost::math::cdf(boost::math::complement(law, chi));
 }

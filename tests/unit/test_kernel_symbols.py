@@ -1,7 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Kernels for AVX2 define no function that the linker might use elsewhere: test_kernel_symbols COMPILER NM OBJECTS OBJECTS, the kernels
-as built and without optimisation; empty: none."""
+"""Kernels for AVX2 define no function that the linker might use elsewhere.
+
+usage: test_kernel_symbols COMPILER NM OBJECTS OBJECTS, the kernels as built and without optimisation; empty: none."""
 
 import pathlib
 import subprocess
@@ -13,7 +14,7 @@ NAMESPACE = "9tilt_lens4avx2"
 
 
 def shared_symbols(nm, objects):
-    """Outside the variant's namespace, as C++ names."""
+    """C++ names outside the variant's namespace."""
     command = [nm, "--defined-only", "--extern-only", "--format=just-symbols", *objects]
     listed = subprocess.run(command, capture_output=True, text=True, check=True).stdout
     symbols = [line for line in listed.splitlines() if line and not line.endswith(":")]

@@ -1,9 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// @file tile_results.h
-/// Simple light and a tile's results.
-
 #ifndef TILT_LENS_TESTS_TILE_RESULTS_H
 #define TILT_LENS_TESTS_TILE_RESULTS_H
 
@@ -21,7 +18,6 @@ inline Radiance Grey(double value)
     return {value, value, value, 0.0, 0.0};
 }
 
-/// Each sample has a number in (0, 1).
 inline double Noise(const SampleId& id, std::uint32_t salt)
 {
     return (PixelHash(id.x, id.y, id.index, salt) + 0.5) * 0x1p-32;
@@ -48,7 +44,6 @@ inline void WhiteNoise(const SampleId& id, SampleResult& light)
     light = Grey(Noise(id, 1));
 }
 
-/// A sharp slanted edge, black and white.
 inline void Edge(const SampleId& id, SampleResult& light)
 {
     const SequencePoint s = SequencePointOf(id);
@@ -83,7 +78,6 @@ inline std::vector<Result> ResultsOf(const SamplingLimits& limits, const Area& t
     return ResultsOf(sampler, tile, trace);
 }
 
-/// The block lies at (left, top) of a large picture.
 inline std::vector<Result> ResultsOf(const SamplingLimits& limits, std::uint32_t left, std::uint32_t top, const Tracer& trace)
 {
     return ResultsOf(limits, {left, top, settings.blockSide, settings.blockSide}, 4096, 4096, trace);

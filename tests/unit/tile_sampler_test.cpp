@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Limits, independence of order, the stop rule, statistics.
-
 #include "tilt_lens/sampling/tile_sampler.h"
 
 #include <algorithm>
@@ -91,7 +89,6 @@ TEST(TileSamplerLimits, EverySampleIsTracedOnceAndCounted)
     EXPECT_DOUBLE_EQ(sampler.Statistics().variance, variance);
 }
 
-// 45 by 37: no multiple of a block
 constexpr std::uint32_t kWidth = 45, kHeight = 37;
 
 struct Way
@@ -219,7 +216,7 @@ TEST(TileSamplerOrder, AnInterruptedStepStartsAgain)
 
 TEST(TileSamplerStop, EqualSamplesBesideAnEdgeAreNotTrusted)
 {
-    // beside the edge's pixel: 3 % of the lens
+    // the pixel beside the edge's sees 3 % of the lens
     const auto trace = [](const SampleId& id, SampleResult& light)
     {
         const SequencePoint s = SequencePointOf(id);
@@ -338,7 +335,7 @@ TEST(SamplingStatistics, AddsUpAndHasQuantiles)
     EXPECT_EQ(huge.Samples(), 1ull << 51);
 }
 
-/// Pixels at a blurred lamp's rim see it through a small part of the lens, and mostly miss it. They must not stay black.
+/// Pixels at a blurred lamp's rim mostly miss it, but must not stay black.
 TEST(TileSampler, RimsOfBlurredLampsAreNotTorn)
 {
     constexpr double blur = 12.0, lamp = 3.0, brightness = 0.5, middle = 32.0;
@@ -349,7 +346,7 @@ TEST(TileSampler, RimsOfBlurredLampsAreNotTorn)
     {
         const SequencePoint s = SequencePointOf(id);
         const AperturePoint lensPoint = disc(s.lensU, s.lensV);
-        const double x = id.x + s.pixelX + blur * lensPoint.a, y = id.y + s.pixelY + blur * lensPoint.b;  // in the plane of the lamp
+        const double x = id.x + s.pixelX + blur * lensPoint.a, y = id.y + s.pixelY + blur * lensPoint.b;
         result = Grey(std::hypot(x - middle, y - middle) < lamp ? brightness : 0.0);
         result.circle = {float(x), float(y), float(blur), 0.0f, 0.0f, float(blur), &footprint};
     };
@@ -361,7 +358,6 @@ TEST(TileSampler, RimsOfBlurredLampsAreNotTorn)
     for (int y = 0; y < 64; y++)
         for (int x = 0; x < 64; x++)
         {
-            // half of the lamp is visible at `blur`
             const double distance = std::hypot(x + 0.5 - middle, y + 0.5 - middle);
             if (distance < blur - 1.0 || distance > blur + 1.0)
                 continue;
@@ -372,7 +368,7 @@ TEST(TileSampler, RimsOfBlurredLampsAreNotTorn)
     EXPECT_LE(20 * black, rim) << black << " of " << rim;
 }
 
-/// A block's first round, with so many noisy columns.
+/// Samples in a block's first round, with so many noisy columns.
 std::uint32_t FirstRoundOf(const SamplingLimits& limits, std::uint32_t noisyColumns)
 {
     std::uint32_t most = 0;
@@ -401,7 +397,7 @@ TEST(TileSampler, FirstRoundsAreLongerWhereManyPixelsAreFarFromConvergence)
     limits = Limits(4, 8, 1e-4);
     limits.denoise = true;
     EXPECT_EQ(FirstRoundOf(limits, settings.blockSide), 8u);
-    EXPECT_EQ(FirstRoundOf(Limits(4, 64, 1e-4), settings.blockSide), 4u);  // no reconstruction
+    EXPECT_EQ(FirstRoundOf(Limits(4, 64, 1e-4), settings.blockSide), 4u);
 }
 
 TEST(BlockCache, MemoryOfABlock)

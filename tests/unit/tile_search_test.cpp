@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Search for features hit by neighbours, and emitters to aim at.
-
 #include "tilt_lens/sampling/tile_sampler.h"
 
 #include <algorithm>
@@ -30,10 +28,10 @@ TEST(TileSamplerSearch, FindsAThinLineThatNeighboursMissedAtLowVariance)
                                                   LineAlongRow);
     for (std::uint32_t x = 0; x < width; x++)
         EXPECT_NEAR(results[settings.blockSide / 2 * width + x].mean[0], 15.0 / 16.0, 0.02) << x;
-    EXPECT_LE(results[0].samples, 256u);  // but not without limit, far from the line
+    EXPECT_LE(results[0].samples, 256u);
 }
 
-/// Every fourth is aimed at an emitter hidden by an object.
+/// Every fourth sample is aimed at a hidden emitter.
 Tracer HiddenLamp(double light)
 {
     return [light](const SampleId& id, SampleResult& traced)

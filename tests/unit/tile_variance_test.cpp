@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Errors of known pixels against the requested variance.
-
 #include "tilt_lens/sampling/convergence.h"
 #include "tilt_lens/sampling/tile_sampler.h"
 
@@ -24,7 +22,7 @@ struct Picture
     const char* name;
     Tracer trace;
     double (*mean)(std::uint32_t x, std::uint32_t y);
-    double leap = 4.0;  ///< factor by which the last necessary round may undershoot the requested variance
+    double leap = 4.0;  ///< factor by which the last round may undershoot the requested variance
 };
 
 double Half(std::uint32_t, std::uint32_t)
@@ -56,14 +54,13 @@ void Linear(const SampleId& id, SampleResult& light)
     light = Grey(0.5 + 0.5 * ((id.x % 8) - 3.5) / 8.0 + 0.4 * (s.lensU + s.lensV - 1.0) + 0.2 * (s.pixelX - 0.5));
 }
 
-/// Half of the lens sees white, in small squares.
 void Checker(const SampleId& id, SampleResult& light)
 {
     const SequencePoint s = SequencePointOf(id);
     light = Grey((int(s.lensU * 6) + int(s.lensV * 6)) % 2 ? 1.0 : 0.0);
 }
 
-/// One percent of the lens, elsewhere in each pixel.
+/// One percent of the lens sees white, elsewhere in each pixel.
 void Lamp(const SampleId& id, SampleResult& light)
 {
     const SequencePoint s = SequencePointOf(id);
@@ -154,7 +151,7 @@ TEST_P(RequestedVariance, IsNearlyUsedUpByIndependentNoise)
     EXPECT_GE(ReportedScoreOf(kPictures[0], GetParam()).MeanErrorAboveMin(), GetParam() / 4);
 }
 
-// Doubling divides smooth light's variance by eight, so the last round may overshoot there only.
+// Doubling divides smooth light's variance by eight, so the last round may overshoot.
 TEST_P(RequestedVariance, IsNearlyUsedUpByStratifiedSamples)
 {
     for (const Picture& picture : kPictures)

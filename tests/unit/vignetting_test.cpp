@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Closed forms; unbiased samples of the open part.
-
 #include "tilt_lens/camera/vignetting.h"
 
 #include <cmath>
@@ -62,7 +60,7 @@ TEST(NaturalVignetting, IsTheFourthPowerOfTheCosine)
     }
 }
 
-/// A small patch: cosines at both ends over the squared distance.
+/// A small patch's light: cosines at both ends over the squared distance.
 TEST(NaturalVignetting, HasTheTrueAnglesAndDistances)
 {
     const auto lens = LensOf(8.0, 10.0);
@@ -70,7 +68,6 @@ TEST(NaturalVignetting, HasTheTrueAnglesAndDistances)
     const double s = lens->filmDistance, sine = std::sin(8.0 * M_PI / 180.0), cosine = std::cos(8.0 * M_PI / 180.0);
     const auto light = [&](const FilmPoint& film)
     {
-        // behind the lens, upside down, to its centre
         const Vec3 way{36.0 * film.x + 10.0, 24.0 * film.y, s}, filmNormal{0.0, 0.0, 1.0}, lensNormal{0.0, -sine, cosine};
         const double distance = Length(way);
         return Dot(way, filmNormal) / distance * Dot(way, lensNormal) / distance / (distance * distance);
@@ -102,7 +99,6 @@ TEST(OpticalVignetting, OpenShareIsTheOverlapOfTwoCircles)
                 const double apart = 2.0 * amount * std::hypot(36.0 * film.x, 24.0 * film.y) / corner;
                 EXPECT_NEAR(vignetting.OpenShare(film), Overlap(apart), 1e-3) << amount << " at " << film.x << ", " << film.y;
             }
-        // between the table's entries
         EXPECT_NEAR(vignetting.OpenShare({0.2577, 0.1234}), Overlap(2.0 * amount * std::hypot(36.0 * 0.2577, 24.0 * 0.1234) / corner),
                     1e-3);
     }
@@ -129,7 +125,6 @@ TEST(OpticalVignetting, PassesRaysWithinTheRim)
     EXPECT_GT(covered, 300);
 }
 
-/// Samples in it, and rejection from the whole aperture.
 TEST(OpticalVignetting, SamplesAreUnbiased)
 {
     const auto f = [](const AperturePoint& p) { return 1.0 + p.a + 0.5 * p.b * p.b; };

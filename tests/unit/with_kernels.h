@@ -12,13 +12,12 @@
 namespace tilt_lens
 {
 
-/// False where one variant is all there is.
+/// False if the processor knows one variant only.
 inline bool HasSeveralVariants()
 {
     return kernels != &plain::kKernels;
 }
 
-/// Runs with the plain kernels.
 template<class Function>
 auto WithPlainKernels(const Function& function)
 {

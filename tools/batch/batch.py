@@ -31,7 +31,7 @@ def whole(text):
 
 
 def seconds(text):
-    """A duration: 90, 30m, 2h."""
+    """Seconds of a duration such as 90, 30m or 2h."""
     found = re.fullmatch(r"(\d+)([smh]?)", text)
     if not found or int(found.group(1)) < 1:
         raise argparse.ArgumentTypeError(f"{text!r}: expected seconds, or a number with m or h, as in 30m")
@@ -101,7 +101,7 @@ def finish(work, description):
     """Joins pictures and makes the contact sheet. Returns complaints."""
     bands = len(description["key"]["bands"])
     complaints = []
-    for name in work.names("running"):  # of killed workers: none is running any more
+    for name in work.names("running"):
         work.record("running", name).unlink(missing_ok=True)
     done = work.names("done")
     for picture in range(len(description["key"]["pictures"])):
@@ -136,7 +136,7 @@ def make_sheet(work, description):
 
 
 def work_through(work, description, settings, engine):
-    """Until no missing unit is worth another try."""
+    """Repeats until no missing unit is worth another try."""
     line = progress.Progress(work, description, settings.quiet)
     complaints = []
     for _ in range(1 + settings.retries):
@@ -156,7 +156,7 @@ def work_through(work, description, settings, engine):
 
 
 def tasks_of(description, missing, settings, engine):
-    """A task is worth seconds, with enough tasks for all workers."""
+    """Makes tasks long enough to be worth their start, yet enough for all workers."""
     estimate, bands = description["estimate"], len(description["key"]["bands"])
     seconds = estimate["picture"] / bands + estimate["start"]
     parallel = engine.workers(settings, description["threads"])
@@ -189,7 +189,7 @@ def report(work, description, complaints, elapsed):
 
 
 def afterwards(work, description, command):
-    """The user's command; returns 1 if it fails."""
+    """Runs the user's command; returns 1 if it fails."""
     if not command:
         return 0
     names = {"BATCH_OUTPUT": description["output"], "BATCH_WORK": str(work.folder)}

@@ -22,8 +22,6 @@ def say(text):
 
 
 class Request:
-    """The command line with all files resolved."""
-
     def __init__(self, settings, words):
         self.settings = settings
         folder = os.getcwd()
@@ -42,7 +40,7 @@ class Request:
         self.program = program
 
     def picture_kind(self):
-        """From +F and the output's name, which must agree."""
+        """Kind of the pictures, from +F and the output's name, which must agree."""
         asked = self.inputs.options.kind
         named = None
         if self.kind == "still" and self.settings.output:
@@ -69,7 +67,7 @@ class Request:
         self.work = os.path.join(folder, self.settings.work or output + ".batch")
 
     def key(self):
-        """The part of the key that needs no look at the scene."""
+        """The part of the key that does not depend on the scene."""
         return {
             "format": 1,
             "kind": self.kind,
@@ -122,7 +120,7 @@ def understood(settings, words):
 
 
 def take_up(work, request, stored):
-    """None unless its key is unchanged."""
+    """Resumes the batch if its key is unchanged; else returns None."""
     old, new = stored["key"], request.key()
     if stored["hash"] != keys.key_hash(old):
         raise BatchError(f"{str(work.description)!r} is damaged. Start over with --anew.")
@@ -145,7 +143,6 @@ def take_up(work, request, stored):
 
 
 def changed_by_units(work):
-    """Changed files that only some units read."""
     known = {}
     for name in sorted(work.names("done")):
         record = read_json(work.record("done", name)) or {"read": {}, "missing": []}
@@ -174,7 +171,6 @@ def begin(work, request, engine):
 
 
 def output_can_be_written(folder):
-    """Before hours of rendering rather than after."""
     try:
         os.makedirs(folder, exist_ok=True)
     except OSError as error:
@@ -188,7 +184,6 @@ def lock_of_output(kind, output, pictures):
 
 
 def has_jobs(folder):
-    """True if the batch has jobs in a queue, or if that is unknown."""
     try:
         return bool(slurm.active_jobs(Work(folder)))
     except BatchError:  # the controller does not answer
@@ -196,7 +191,6 @@ def has_jobs(folder):
 
 
 def leave_output(work, description):
-    """Called by the last job; a waiting call removes its lock itself."""
     key, own = description["key"], str(work.folder)
     path = lock_of_output(key["kind"], description["output"], key["pictures"])
     if path.exists():
@@ -219,7 +213,7 @@ def output_alone(work, request):
 
 
 def choose_bands(request, probe, size, engine):
-    """As requested, or enough for the workers while each band is worth its start."""
+    """Bands as requested, or enough for the workers while each is worth its start."""
     asked, count = request.settings.bands, len(request.pictures)
     if asked == 1:
         return {"picture": 0.0, "start": 0.6}, 1
@@ -278,7 +272,7 @@ def forget(work, description, pictures):
 
 
 def drop_lost(work, description):
-    """Records whose files are gone: pictures moved by the user, parts lost by a disk."""
+    """Drops records whose files the user has moved or a disk has lost."""
     bands = len(description["key"]["bands"])
     for state in ("failed", "running"):
         for name in work.names(state):

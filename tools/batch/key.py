@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The key of a batch: all that its pixels depend on.
 
-POV-Ray lists files that it reads or looks for in vain (TILT_LENS_FILE_LIST). The key hashes those of the first render, a unit's record
-those in addition. A part is reused only if every file is unchanged and none has appeared where POV-Ray looked."""
+POV-Ray lists files that it reads or looks for in vain (TILT_LENS_FILE_LIST). The key hashes those of the first render; a unit's record
+hashes further ones. A part is reused only if every file is unchanged and none has appeared where POV-Ray looked."""
 
 import hashlib
 import json
@@ -30,7 +30,7 @@ class Links:
             link.symlink_to(target)
 
     def real(self, name):
-        """The user's path, links unresolved: the path counts, with its contents. None for a file in the unit's folder."""
+        """The user's path, with links unresolved. None for a file in the unit's folder."""
         if name.startswith(self.UP):
             link, _, rest = name[len(self.UP) :].partition("/")
             if link in self.targets:
@@ -40,7 +40,7 @@ class Links:
 
 
 def listed_files(path, links):
-    """(read, missing), of the user's files."""
+    """(read, missing): the user's files."""
     try:
         entries = path.read_bytes().split(b"\0")
     except FileNotFoundError:
@@ -49,7 +49,7 @@ def listed_files(path, links):
         ) from None
     read, missing = set(), set()
     for entry in entries:
-        if entry[:1] not in (b"+", b"-"):  # the last entry is empty; "=" is a written picture
+        if entry[:1] not in (b"+", b"-"):
             continue
         name = links.real(os.fsdecode(entry[1:]))
         if name is not None:
@@ -64,8 +64,7 @@ def file_stamp(path):
 
 
 def change_stamps(paths):
-    """Path -> stamp, None for no file. Includes the change time of the directory entry, which restored contents and times do not set
-    back."""
+    """Path -> stamp, None for no file. It includes the time when the directory entry changed, which cannot be set back."""
     stamps = {}
     for path in paths:
         try:
@@ -76,7 +75,7 @@ def change_stamps(paths):
 
 
 def changed_since(path, before, moment):
-    """Without a stamp: since a moment (seconds of the epoch) by the file system's clock, which may be milliseconds late."""
+    """True if the path has changed since its stamp or, without a stamp, since a moment (epoch seconds) by the file system's clock."""
     if path in before:
         return change_stamps([path]) != {path: before[path]}
     return os.stat(path).st_ctime_ns > (moment - 0.02) * 1e9

@@ -25,7 +25,7 @@ def check():
 
 def invocation(work, description, settings):
     count = workers(settings, description["threads"])
-    # exec makes parallel the worker's parent; names pass through the environment, because they may contain any characters
+    # exec makes parallel the worker's parent; the environment passes names with any characters
     command = [
         "parallel",
         "--plain",  # ignores ~/.parallel/config
@@ -69,7 +69,6 @@ def run(work, description, tasks, settings, progress):
 
 
 def end(process):
-    """The kernel ends workers and POV-Rays with it."""
     process.send_signal(signal.SIGKILL)
     process.wait()
-    time.sleep(0.3)  # until the last of them has ended
+    time.sleep(0.3)  # lets the last of them end

@@ -10,7 +10,7 @@ from tools.batch.plan import read_ini
 from tools.batch.store import read_json
 from tools.focus import scene_text
 
-# by POV-Ray, from the last frame; `clock` is compared by values
+# POV-Ray computes these from the last frame; values of `clock` are compared
 LENGTHS = re.compile(r"\b(final_frame|final_clock|clock_delta)\b")
 CLOCK = re.compile(r"\bclock\b")
 FIRST = re.compile(r"\+KI(.*)|Initial_Clock\s*=(.*)", re.IGNORECASE)
@@ -20,13 +20,11 @@ IN_INI = re.compile(r"^\s*([+-]K|\w+_Clock|Cyclic_Animation)", re.IGNORECASE | r
 
 
 def single(value):
-    """Single precision, as in POV-Ray's options."""
+    """Rounds to single precision, as POV-Ray's options do."""
     return struct.unpack("f", struct.pack("f", value))[0]
 
 
 class Clock:
-    """The clock of each frame, as POV-Ray computes it."""
-
     def __init__(self, words, frames):
         self.first, self.last, self.frames = 0.0, 1.0, frames
         self.known = not any(CYCLIC.fullmatch(word) for word in words)
@@ -53,7 +51,7 @@ def without_clock(words):
 
 
 def code_of(path):
-    """If it is code; others match a pattern by chance."""
+    """The text if it is code, since other files match a pattern by chance."""
     try:
         with open(path, encoding="latin-1") as stream:
             return scene_text.blanked(stream.read())

@@ -26,7 +26,7 @@ def oiiotool(folder, arguments):
 
 
 def band_records(work, key, picture):
-    """A band whose files differ from its record is rendered again."""
+    """Records of the picture's bands. Raises an error for a damaged one, which the next try renders again."""
     records = []
     for band in range(len(key["bands"])):
         name = unit_name(picture * len(key["bands"]) + band, len(key["bands"]))
@@ -43,7 +43,7 @@ def band_records(work, key, picture):
 
 
 def join(folder, bands, width, target):
-    """Pastes each band's rows, all channels, exact values."""
+    """Pastes each band's rows: all channels, exact values."""
     words = ["--no-autopremult", "--nosoftwareattrib"]
     for path, (first, last) in bands:
         words += [path, "--crop", f"{width}x{last - first + 1}+0+{first - 1}"]
@@ -64,7 +64,7 @@ def paste(work, key, records, rest, target):
 
 
 def deliver(source, target):
-    """In one step, without a copy on the same file system."""
+    """Puts a file in its place in one step, without a copy on the same file system."""
     target.parent.mkdir(parents=True, exist_ok=True)
     new = target.parent / f".new.{os.getpid()}.{source.name}"
     try:
@@ -123,7 +123,6 @@ def free_space(work, key, picture):
 
 @functools.lru_cache(maxsize=None)
 def hash_now(path, *_):
-    """Once per process while the file's stamp stays."""
     return sha256(path)
 
 

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""From a command line to a batch: scene, inputs, pictures, bands, units, tasks.
+"""Plans a batch from a command line.
 
 A picture is one output file; a band is a range of its rows; a unit is one band of one picture, rendered, kept and repeated as a whole. A
 task is a sequence of units."""
@@ -17,7 +17,7 @@ from tools.batch.store import BatchError, sha256
 BLOCK = 32  # rows of POV-Ray's own blocks: stock anti-aliasing depends on their boundaries
 TALL = 256  # rows of a band, if there is a choice: each edge costs 15 to 20 rows in a blurred picture
 POVINC = "povinc"  # link to the folder in the variable POVINC; POV-Ray searches it before those of +L
-MOST_VALUES = 100000  # of a range in --set
+MOST_VALUES = 100000
 SECONDS_A_TASK = 5.0  # least worth of a task, ten times the cost of starting POV-Ray
 DEFAULT_INI = ("./povray.ini", "~/.povray/3.7/povray.ini", "{prefix}/etc/povray/3.7/povray.ini", "~/.povrayrc")
 
@@ -41,7 +41,7 @@ def chosen(text, last):
 
 
 def values(text):
-    """Comma-separated values of --set: numbers, FROM:TO:STEP, and quoted texts, which keep their quotation marks."""
+    """Comma-separated values of --set: numbers, FROM:TO:STEP, and texts with their quotation marks."""
     found = []
     for part in re.split(r',(?=(?:[^"]*"[^"]*")*[^"]*$)', text):
         if '"' in part:
@@ -112,8 +112,8 @@ def pictures(kind, stem, extension, frames=1, sets=()):
 
 
 def cut_bands(height, count):
-    """From 1, inclusive. Cuts lie between POV-Ray's blocks unless bands are more; the first band has two rows, because +SR1 +ER1 means
-    all rows to POV-Ray."""
+    """Rows of each band, from 1, inclusive. Cuts lie between POV-Ray's blocks unless bands are more; the first band has two rows, since
+    +SR1 +ER1 means all rows."""
     step = BLOCK if count <= -(-height // BLOCK) else 1
     blocks = -(-height // step)
     count = max(1, min(count, blocks if step > 1 else height - 1))
@@ -141,7 +141,7 @@ def read_ini(path):
 
 
 def main_ini(program, folder):
-    """POV-Ray's choice, made once for all machines; and the files looked for before it."""
+    """The INI file that POV-Ray would choose, and the files that it looks for before."""
     prefix = os.path.dirname(os.path.dirname(os.path.realpath(program)))
     named = os.environ.get("POVINI")
     candidates = [named] if named else []
@@ -154,7 +154,7 @@ def main_ini(program, folder):
 
 
 class Inputs:
-    """As in ./render: the current folder, those of the ini file, include folder, scene's folder, +L."""
+    """The scene, and the folders in which POV-Ray looks for its files, as in ./render."""
 
     def __init__(self, scene, folder, words, program, repository):
         self.scene = os.path.join(folder, scene)
@@ -187,7 +187,6 @@ class Inputs:
         targets[f"options{i}.ini"] = ini
 
     def write(self, work):
-        """The user's ini file, after the user's current folder."""
         self.links.make(work.inputs)
         text = f'Library_Path="{Links.UP}here"\n'
         if self.ini:

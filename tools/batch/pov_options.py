@@ -8,7 +8,6 @@ import re
 from tools.batch.key import Links
 from tools.batch.store import BatchError
 
-# options that the batch sets itself, with the remedy
 REFUSED_SWITCHES = {
     "I": "give the scene as the first argument",
     "O": "use --output",
@@ -49,14 +48,14 @@ FORMATS = {"N": "png", "E": "exr"}
 
 
 def unquoted(text):
-    """POV-Ray needs quotation marks around spaces."""
+    """Without quotation marks."""
     if len(text) > 1 and text[0] == text[-1] and text[0] in "\"'":
         return text[1:-1]
     return text
 
 
 class PovOptions:
-    """`words` keep their order, because later options override earlier ones; an ini file has its link's name there."""
+    """`words` keep their order, because later options override earlier ones."""
 
     def __init__(self, words):
         self.words, self.libraries, self.inis = [], [], []
@@ -114,7 +113,6 @@ class PovOptions:
             self.words.append(word)
 
     def set_kind(self, word, value):
-        """Chooses PNG or OpenEXR; bits remain POV-Ray's option."""
         if value[:1].upper() not in FORMATS:
             raise BatchError(
                 f"{word!r}: a batch writes PNG (+FN, +FN16) or OpenEXR (+FE), whose parts can be put " "together without a change."

@@ -70,8 +70,7 @@ def state_file(folder):
 
 
 def whole_length(data, trusted):
-    """Bytes of complete messages. After a stop of the machine (not `trusted`), pages that never reached the disk read as zeros, and end
-    the result."""
+    """Bytes of complete messages. If the machine has stopped (not `trusted`), zeros end the result: some pages may be lost."""
     end = len(data)
     if not trusted:
         pages = (at for at in range(STATE_HEADER - STATE_HEADER % PAGE, end, PAGE) if not any(data[max(at, STATE_HEADER) : at + PAGE]))
@@ -95,14 +94,14 @@ def prepare_state(folder):
 
 
 def clear_output(folder, also_state=False):
-    """POV-Ray would take a truncated picture for a finished one."""
+    """Removes output, since POV-Ray would take a truncated picture for a finished one."""
     for path in folder.glob(f"{PICTURE}*"):
         if also_state or path.suffix != ".pov-state":
             path.unlink()
 
 
 def start(description, folder, words, log, lock=None):
-    """It inherits the unit's lock, which excludes other tries."""
+    """POV-Ray inherits the unit's lock, which excludes other tries."""
     write_json(folder / "boot.json", boot())
     with open(log, "ab") as stream:
         return subprocess.Popen(
@@ -117,7 +116,7 @@ def start(description, folder, words, log, lock=None):
 
 
 def outputs(folder):
-    """Rest of the name after "picture" and frame number -> file."""
+    """{rest of the name after "picture" and frame number: file}."""
     found = {}
     for path in sorted(folder.glob(f"{PICTURE}*")):
         if path.suffix in (".png", ".exr"):
@@ -126,7 +125,6 @@ def outputs(folder):
 
 
 def image_info(path):
-    """Size, channels and hash of the decoded pixels; reads the whole file."""
     done = subprocess.run(
         ending_with_parent(["oiiotool", "--info", "--hash", path.name]),
         cwd=path.parent,

@@ -1,8 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Probes a scene before the batch: parsing, files, size, time, dependence of pixels on the rendered rows.
-
-Radiosity and stock's jittered area lights depend on the rows; tilt_lens pictures do not."""
+"""Probes a scene before the batch: files, size, time, and whether pixels depend on the rendered rows, as with radiosity and stock's
+jittered area lights."""
 
 import itertools
 import re
@@ -54,7 +53,6 @@ class Probe:
         return folder, text, seconds
 
     def wait(self, process, log):
-        """Up to the time limit of units."""
         begun, limit = time.monotonic(), self.description["limit"]
         for pause in itertools.chain((5, 25, 90), itertools.repeat(600)):
             spent = time.monotonic() - begun
@@ -70,7 +68,7 @@ class Probe:
             print(f"first look at the scene: {spent:.0f} s so far; log: {log}.{hint}", file=sys.stderr)
 
     def picture_size(self):
-        """By two pixels, whose file list goes into the key."""
+        """Renders two pixels to find the size; their file list goes into the key."""
         folder, _, _ = self.render("whole", (1, 2))
         return povray.image_info(self.output(folder))["size"]
 
@@ -78,12 +76,11 @@ class Probe:
         return povray.outputs(folder)["." + self.description["key"]["extension"]]
 
     def small_size(self, size):
-        """A small size with almost the same proportions, for estimates."""
         rows = min(SMALL_ROWS, size[1])
         return [max(2, min(SMALL_COLUMNS, round(size[0] * rows / size[1]))), rows]
 
     def estimate(self, size):
-        """Seconds: a whole picture, and each start of POV-Ray."""
+        """Seconds for a whole picture, and for each start of POV-Ray."""
         small = self.small_size(size)
         self.small = self.render("small", (1, small[1]), small)
         _, text, seconds = self.small
@@ -111,7 +108,6 @@ class Probe:
 
 
 def trace_seconds(text):
-    """Elapsed and processor time ("Trace Time")."""
     found = re.findall(r"Trace Time:.*?\(([0-9.]+) seconds\)\s+using.*?with ([0-9.]+) CPU-seconds", text)
     return (float(found[-1][0]), float(found[-1][1])) if found else (0.0, 0.0)
 

@@ -1,6 +1,5 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""State of a batch, the progress line, and the summary."""
 
 import os
 import re
@@ -25,8 +24,6 @@ def span(seconds):
 
 
 class State:
-    """Four directory listings: of all pictures, or of those in --only."""
-
     def __init__(self, work, description):
         bands = len(description["key"]["bands"])
         pictures = description.get("only") or range(len(description["key"]["pictures"]))
@@ -66,7 +63,7 @@ class Running:
 
 
 class Progress:
-    """Overwritten on a terminal, repeated now and then elsewhere."""
+    """Progress line, overwritten on a terminal, repeated now and then elsewhere."""
 
     def __init__(self, work, description, quiet=False):
         self.work, self.description, self.quiet = work, description, quiet
@@ -77,7 +74,7 @@ class Progress:
         self.hinted = False
 
     def time_left(self, state):
-        """By this run's pace; None before a hundredth of a unit."""
+        """Seconds at this run's pace; None before a hundredth of a unit."""
         running = sum((Running(self.work, name, self.description).percent() or 0) / 100 for name in state.running)
         finished = len(state.done) - self.at_begin + running
         if finished < 0.01:
@@ -124,7 +121,7 @@ class Progress:
 
 
 def log_end(path, lines=6, begins=0, ends=None):
-    """Its last lines, or those of bytes `begins` to `ends`."""
+    """The log's last lines, or those of bytes `begins` to `ends`."""
     try:
         ends = os.path.getsize(path) if ends is None else ends
         with open(path, "rb") as stream:
@@ -160,7 +157,6 @@ def unfinished(work, description):
 
 
 def times(work, description):
-    """POV-Ray's seconds and repeated tries, from the remaining records."""
     seconds = tries = 0
     for name in State(work, description).units:
         record = read_json(work.record("done", name))

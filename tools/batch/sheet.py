@@ -9,7 +9,7 @@ import pathlib
 from tools.batch import merge, povray
 from tools.batch.store import sync_file
 
-THUMB = 320  # columns of a picture on the sheet
+THUMB = 320  # columns of a picture
 STRIP = 26  # rows of a label
 AT_ONCE = 50  # pictures per call: starting oiiotool takes longer than a thumbnail
 
@@ -22,7 +22,7 @@ def columns(sets, count):
 
 
 def thumb(link, target, size, label):
-    """Linear values are converted for display."""
+    """A thumbnail; linear values are converted for display."""
     width, height = size
     words = [link, "--ch", "R,G,B"]
     if link.endswith(".exr"):

@@ -21,7 +21,6 @@ exec {program} {work} {argument}
 
 
 def check():
-    """Reports missing programs before anything is started."""
     for name in ("sbatch", "squeue", "scontrol", "sinfo"):
         if shutil.which(name) is None:
             raise BatchError(
@@ -41,13 +40,13 @@ def command(*words):
 
 
 def largest_array():
-    """Greatest number of tasks in an array: the site's MaxArraySize bounds the largest index."""
+    """Greatest number of tasks in an array, by the site's MaxArraySize."""
     found = re.search(r"MaxArraySize\s*=\s*(\d+)", command("scontrol", "show", "config"))
     return int(found.group(1)) if found else 1001
 
 
 def workers(settings, threads):
-    """An estimate by sinfo: the site's queue decides."""
+    """Number of workers, estimated by sinfo."""
     if settings.workers:
         return settings.workers
     words = ["sinfo", "-h", "-o", "%C"] + ([f"--partition={settings.partition}"] if settings.partition else [])
@@ -61,7 +60,7 @@ def site_options(settings):
 
 
 def write_script(work, verb, argument):
-    """The shell reads names from it, because they may contain any characters."""
+    """Writes a job's script. The shell reads names from it, because they may contain any characters."""
     path = work.folder / f"{verb}.sh"
     write_text(
         path,
@@ -81,7 +80,7 @@ def ranges(numbers):
 
 
 def log_name(work, name):
-    """For sbatch's --output. A backslash disables the %-marks of a folder's name; all tasks then share a file."""
+    """Log file for sbatch's --output. A backslash disables the %-marks of a folder's name; all tasks then share a file."""
     folder = str(work.logs)
     if "\\" in folder:
         return folder.replace("\\", "\\\\") + "/slurm.out"
@@ -89,7 +88,7 @@ def log_name(work, name):
 
 
 def submit(work, description, tasks, settings):
-    """Array and last step; returns the job numbers."""
+    """Submits array and last step; returns the job numbers."""
     common = ["sbatch", "--parsable", "--open-mode=append", f"--chdir={work.folder}", *site_options(settings)]
     limit = f"%{settings.workers}" if settings.workers else ""
     array = command(
@@ -121,7 +120,7 @@ def submit(work, description, tasks, settings):
 
 
 def alive(jobs):
-    """Jobs that are waiting or running. A number unknown to Slurm has ended."""
+    """Jobs that are waiting or running; Slurm forgets those that have ended."""
     listed = command("squeue", "--noheader", "--me", "--format=%A %F")
     known = {number for line in listed.splitlines() for number in line.split()}
     return [job for job in jobs if job in known]
@@ -143,7 +142,6 @@ def cancelled(jobs):
 
 @contextlib.contextmanager
 def interrupted_alone(jobs):
-    """An interrupt ends this call, but not the jobs."""
     try:
         yield
     except KeyboardInterrupt:
@@ -160,7 +158,6 @@ def wait(jobs, progress):
 
 
 def wait_for_end(jobs, progress):
-    """Tolerates a silent controller for PATIENCE seconds."""
     pause, silent_since = 0.5, None
     while True:
         try:
@@ -180,7 +177,6 @@ def wait_for_end(jobs, progress):
 
 
 def run(work, description, tasks, settings, progress):
-    """Waits for the last step, unless told not to."""
     jobs = submit(work, description, tasks, settings)
     with interrupted_alone(jobs):
         print(f"jobs {' '.join(jobs)} submitted ({len(tasks)} tasks, then the last step)", file=sys.stderr)

@@ -41,7 +41,7 @@ def sha256(path):
 
 
 def sync_folder(folder):
-    """Its names survive a power failure."""
+    """Makes the folder's names survive a power failure."""
     handle = os.open(folder, os.O_RDONLY)
     try:
         os.fsync(handle)
@@ -50,13 +50,12 @@ def sync_folder(folder):
 
 
 def sync_file(path):
-    """Another program's file survives a power failure."""
     with open(path, "rb") as stream:
         os.fsync(stream.fileno())
 
 
 def write_text(path, text):
-    """Completely or not at all, even if the machine stops."""
+    """Writes completely or not at all, even if the machine stops."""
     path = pathlib.Path(path)
     handle, name = tempfile.mkstemp(prefix=".new.", dir=path.parent)
     try:
@@ -76,7 +75,6 @@ def write_text(path, text):
 
 
 def write_json(path, value):
-    """Names that are not UTF-8 survive as surrogates."""
     write_text(path, json.dumps(value, indent=1, ensure_ascii=True) + "\n")
 
 
@@ -101,7 +99,7 @@ def locked(path, wait=True):
 
 
 def little_room(folder):
-    """Programs seldom report a full disk."""
+    """Yields a complaint if the disk is full, which programs seldom report."""
     free = shutil.disk_usage(folder).free
     if free < 1 << 20:
         yield f"The disk is full: {free >> 10} KB are left for {str(folder)!r}. Make room first."
@@ -139,7 +137,7 @@ def output_lock(path, work, has_jobs):
 
 
 def boot():
-    """A file written under another boot may be truncated."""
+    """Names this boot: a file written under another may be truncated."""
     try:
         return pathlib.Path("/proc/sys/kernel/random/boot_id").read_text(encoding="ascii").strip()
     except OSError:
@@ -195,7 +193,6 @@ class Work:
         return self.folder / state / f"{name}.json"
 
     def names(self, state):
-        """One directory listing, cheap on a file server."""
         try:
             entries = os.listdir(self.folder / state)
         except FileNotFoundError:

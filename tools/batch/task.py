@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Renders a task's units in turn and joins finished pictures. Done or locked units are not started again. A dead worker loses the
-current tile only: POV-Ray dies with it, and its state file is continued."""
+"""Renders a task's units in turn and joins finished pictures. A dead worker loses the current tile only: POV-Ray dies with it, and its
+state file is continued."""
 
 import contextlib
 import fcntl
@@ -24,14 +24,15 @@ class Changed(BatchError):
 def stamps_before(description, folder):
     """Files known from the key or an earlier try."""
     files = set(description["key"]["files"])
-    with contextlib.suppress(BatchError):  # the first try
+    with contextlib.suppress(BatchError):
         files |= keys.listed_files(folder / "files", keys.Links(description["links"]))[0]
     return keys.change_stamps(files)
 
 
 def check_inputs(description, folder, before, started):
-    """Files read in addition to the key's, which must be unchanged. @param before stamps_before() the render @param started start of the
-    render"""
+    """Files read in addition to the key's, which must be unchanged.
+    @param before   stamps_before() the render
+    @param started  start of the render"""
     known, stamps = description["key"]["files"], description["stamps"]
     links = keys.Links(description["links"])
     read, missing = keys.listed_files(folder / "files", links)
@@ -68,11 +69,9 @@ class Unit:
             stream.write(f"--- {time.strftime('%H:%M:%S')} unit {self.name}: {text}\n")
 
     def place_in_log(self):
-        """Log file, and byte offset of this unit's lines."""
         return {"log": str(self.log), "begins": self.begins}
 
     def do(self):
-        """With a bounded number of tries."""
         if self.work.record("done", self.name).exists():
             return True
         self.folder.mkdir(parents=True, exist_ok=True)
@@ -146,7 +145,7 @@ class Unit:
         return None, False
 
     def drop_state(self, status, size):
-        """True if POV-Ray crashed on it. A file that has grown was readable; a kill or a full disk is not its fault."""
+        """True if the state file made POV-Ray crash. A file that has grown was readable; a kill or a full disk is not its fault."""
         path = povray.state_file(self.folder)
         blameless = -status in povray.KILLED or any(little_room(self.folder))
         if path is None or blameless or path.stat().st_size > size:

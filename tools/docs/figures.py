@@ -1,14 +1,13 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Makes the pictures of docs/manual.md, its table of qualities, and the drawings of docs/optics.md.
+"""Makes the pictures of docs/manual.md from the scenes in it, its table of qualities, and the drawings of docs/optics.md.
 
     python3 -m tools.docs.figures                     everything: some minutes
     python3 -m tools.docs.figures pictures tilt_8     some of the pictures
     python3 -m tools.docs.figures drawings            needs gnuplot (Debian: gnuplot-nox)
     python3 -m tools.docs.figures quality             the table
 
-The scenes are taken from the manual itself, so that each picture belongs to the code shown. Pictures are written with
-oiiotool (Debian: openimageio-tools).
+Needs oiiotool (Debian: openimageio-tools).
 """
 
 import argparse

@@ -7,7 +7,7 @@
     python3 -m tools.docs.gallery --small               thumbnails only, in a seventh of the time
 
 Size and options of a picture are those of the command in the scene's opening comment. The full pictures stay in the output folder. With
---small, a picture is rendered at the size of the thumbnail, with slightly more noise; its line of the table has this size.
+--small, the table has the thumbnails' size.
 """
 
 import argparse

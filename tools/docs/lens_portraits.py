@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Makes the portraits of docs/lenses.md: the same scene through each lens of scenes/include/lenses and through an ideal one, and the table
-that shows them.
+"""Makes the portraits of docs/lenses.md, the same scene through each lens of scenes/include/lenses and an ideal one, and their table.
 
     python3 -m tools.docs.lens_portraits              all of them: some minutes
     python3 -m tools.docs.lens_portraits minolta_50   some

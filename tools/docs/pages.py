@@ -35,7 +35,7 @@ class BadPage(Exception):
 @dataclasses.dataclass
 class Block:
     page: str
-    line: int  # of the fence
+    line: int
     language: str
     text: str
     marker: tuple  # (word, rest) of the comment above, or None
@@ -48,7 +48,7 @@ class Block:
 class Example:
     block: Block
     kind: str  # "whole" or one of KINDS
-    name: str  # of the file; "" where the page gives none
+    name: str  # "" if the page gives none
     expected: dict  # "says", "warns", "fails" -> list of texts
 
 
@@ -155,7 +155,7 @@ def links_of(text):
 
 
 def anchors_of(text):
-    """Names that a link to a heading may have, made as GitHub makes them."""
+    """Names that a link to a heading may have on GitHub."""
     anchors = []
     in_fence = False
     for line in text.split("\n"):

@@ -52,7 +52,6 @@ std::vector<float> Channel(const Picture& picture, const std::string& name, cons
     return values;
 }
 
-/// Lens centre and chief rays, from the header's projection.
 void ReadCamera(Layers& layers, const OIIO::ImageSpec& spec, const std::string& path)
 {
     const std::vector<double> m = Numbers(spec, "worldToCamera", 16, path);

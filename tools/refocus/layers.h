@@ -5,8 +5,7 @@
 /// Picture, layers, and the blur for another plane of sharp focus.
 ///
 /// A chief ray leaves the lens centre C along d, of depth 1. At the depth z the signed blur is K (1/z - N.d / (D - N.C)) pixels, for the
-/// plane N.X = D: a difference of vergences, also for a tilted lens. K is the same for all pixels, from the layer `blur` and the header's
-/// plane.
+/// plane N.X = D. K, the same for all pixels, follows from the layer `blur` and the header's plane.
 
 #ifndef REFOCUS_LAYERS_H
 #define REFOCUS_LAYERS_H
@@ -50,7 +49,7 @@ struct Layers
     std::vector<float> blur;  ///< pixels, signed, of the render
     std::vector<Vec3> positions;  ///< world coordinates
     std::vector<Vec3> directions;  ///< of the chief rays, world axes, depth 1
-    Vec3 location{};  ///< of the lens centre
+    Vec3 location{};  ///< lens centre
     Plane focus{};  ///< of the render
     double fStop = 0.0;  ///< of the render
     double blurFactor = 0.0;  ///< K above, pixels times scene units

@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// A preview of another plane of sharp focus or f-number, see docs/refocus.md.
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -47,7 +45,7 @@ Plane NewPlane(const Arguments& arguments, const Layers& layers)
     return {layers.focus.normal, Dot(layers.focus.normal, layers.positions[pixel])};
 }
 
-/// From the existing blur to the new one; warns of impossible pixels.
+/// Change from the existing blur to the new one; warns of impossible pixels.
 std::vector<float> Missing(const Layers& layers, const Plane& plane, double scale)
 {
     std::vector<float> diameters;

@@ -13,9 +13,9 @@
 namespace refocus
 {
 
-/// Evenly. A farther pixel covers a nearer one only as far as that is blurred, so that sharp edges stay.
-/// @param diameters pixels; up to 1 the pixel stays unchanged
-/// @param depth any unit, may be infinite
+/// Spreads pixels evenly over discs. A farther pixel covers a nearer one only as far as that is blurred, so that sharp edges stay.
+/// @param diameters  pixels; up to 1 the pixel stays unchanged
+/// @param depth      any unit, may be infinite
 Picture Spread(const Picture& picture, const std::vector<float>& diameters, const std::vector<float>& depth);
 
 } // namespace refocus

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sdl_on_demand.cpp
-/// The preview window's SDL functions. The library is loaded at the first call: it loads about thirty others (sound, window system), a
-/// quarter of the time before the first ray.
+/// Loads SDL at the preview window's first call, because it loads about thirty other libraries.
 
 #include <string>
 

@@ -42,7 +42,7 @@ inline AperturePoint PointOnDisc(double u, double v)
 struct Aperture::Outline
 {
     int blades, edges;                  ///< polygon edges, equally many per blade
-    std::vector<AperturePoint> corner;  ///< first corner repeated at the end
+    std::vector<AperturePoint> corner;
     double density;
 
     AperturePoint Map(double u, double v) const
@@ -54,7 +54,7 @@ struct Aperture::Outline
 
     AperturePoint PointAt(double position, double radius) const
     {
-        // rounding may yield a whole turn: the end of the last edge
+        // position may round up to a whole turn
         const int edge = std::min(static_cast<int>(position), edges - 1);
         const double t = position - edge;
         const AperturePoint &p = corner[edge], &q = corner[edge + 1];
@@ -79,7 +79,7 @@ struct Aperture::Outline
         const double first = std::atan2(corner[0].b, corner[0].a);
         double turns = (std::atan2(point.b, point.a) - first) / (2 * pi);
         turns -= std::floor(turns);
-        // blades span equal angles; the chords of one blade do not
+        // each blade spans an equal angle, unlike the chords of one blade
         const int blade = std::min(static_cast<int>(turns * blades), blades - 1);
         int edge = blade * (edges / blades);
         for (int span = edges / blades; span > 1;)
@@ -130,8 +130,7 @@ struct Aperture::Grade
     double power;    ///< n of Aperture::Graded()
     bool rim;        ///< bright at the rim; else in the middle
 
-    /// Moves a point of the unit square along the line through the centre: the concentric square with a share of the area becomes the
-    /// one with the same share of the light.
+    /// Moves a point of the unit square towards the centre or away from it, so that equal areas get equal light.
     AperturePoint Map(double u, double v) const
     {
         const double x = 2 * u - 1, y = 2 * v - 1;

@@ -15,7 +15,7 @@ namespace
 
 constexpr int cells = CellDistribution::cells;
 
-/// Mean weight of every cell, column by column: constant u, growing v.
+/// Mean weight of every cell, column by column.
 class Tabulation
 {
   public:
@@ -34,7 +34,7 @@ class Tabulation
 
     const double* Column(int i) const { return &mean[i * cells]; }
 
-    /// Scales the greatest mean to 1: no sum overflows.
+    /// Scales the greatest mean to 1, so that no sum overflows.
     /// @return  false if no mean is positive
     bool Normalize()
     {
@@ -72,7 +72,7 @@ class Tabulation
         return range;
     }
 
-    /// True at an edge: weights in and around the cell differ by more than 1/16 of the brightest.
+    /// True if weights in and around the cell differ by more than 1/16 of the brightest.
     bool Varies(int i, int j) const
     {
         double low = HUGE_VAL, high = 0;
@@ -98,7 +98,7 @@ double CellDistribution::Build(const double* weight)
     double total = 0;
     for (int i = 0; i < cells; ++i)
         total += weight[i];
-    double sum = 0;  // ends exactly at total, so that trailing cells without weight begin at 1
+    double sum = 0;  // equals total in the end, so that trailing cells without weight begin at 1
     for (int i = 0; i < cells; ++i)
     {
         bound[i] = total > 0 ? static_cast<float>(sum / total) : 0.0f;

@@ -17,7 +17,7 @@
 namespace tilt_lens
 {
 
-/// Piecewise constant over [0, 1] in equal cells, inverted in constant expected time by the index table of H.-C. Chen and Y. Asau (1974).
+/// Piecewise constant over [0, 1] in equal cells. The index table of H.-C. Chen and Y. Asau (1974) inverts it in constant expected time.
 class CellDistribution
 {
   public:
@@ -29,18 +29,15 @@ class CellDistribution
     struct Place
     {
         int cell;
-        double position;  ///< in [0, 1]
+        double position;
     };
 
-    /// Quantile.
     /// @param u  in [0, 1)
     Place Invert(double u) const;
 
     double Density(double position) const;
 
   private:
-    /// Cumulative weight below each cell. Single precision keeps a picture in the second-level cache; a cell with less than 1e-7 of
-    /// its column is invisibly dark.
     std::array<float, cells + 1> bound;
     std::array<std::uint8_t, cells> first;
 };
@@ -54,7 +51,6 @@ class AperturePicture
     /// @param u, v  uniform in [0, 1)
     AperturePoint Map(double u, double v) const;
 
-    /// Density of the points per area of aperture coordinates.
     double Density(const AperturePoint& point) const;
 
   private:

@@ -35,7 +35,7 @@ double FarthestOf(const Lens& lens)
 
 void RequireUnfolded(const Lens& lens, const Character& character, double unit, double farthest)
 {
-    // across the axis, where distortionNear first folds the picture
+    // the direction in which distortionNear first folds the picture
     const Vec3 across = lens.focus - Dot(lens.focus, lens.normal) * lens.normal;
     const double atAxis = lens.distortion2 + lens.distortionNear * Dot(lens.focus, lens.normal);
     const double fold = FoldOf(atAxis, lens.distortion4, -std::fabs(lens.distortionNear) * Length(across));
@@ -59,7 +59,6 @@ void RequireBefore(const Lens& lens)
     });
 }
 
-/// The spectrum's ends lie half the difference before and behind the film.
 double AxialColourOf(const Lens& lens, const Character& character)
 {
     return 0.5 * character.axialColour * lens.millimetre / (lens.filmDistance * lens.filmDistance);
@@ -102,7 +101,7 @@ void ApplyCharacter(Lens& lens, const Statement& given)
         RequireUnfolded(lens, character, unit, farthest);
         RequireBefore(lens);
     }
-    // an image S before the film at the tangent u is sharp on the film for a vergence greater by S/s^2
+    // moving the image by S changes the vergence by S/s^2
     lens.lateralColour = LateralColourOf(lens, character, unit);
     lens.fieldCurvature = character.fieldCurvature * lens.millimetre / (lens.filmDistance * lens.filmDistance * unit * unit);
 }

@@ -20,14 +20,12 @@ inline double Cross(const AperturePoint& p, const AperturePoint& q)
     return p.a * q.b - p.b * q.a;
 }
 
-/// Chords of the arc between the corners at 0 and 2 pi/blades; each spans a triangle of equal area with the origin.
+/// Chords of the arc between the corners at 0 and 2 pi/blades. Each spans a triangle of equal area with the origin.
 inline std::vector<AperturePoint> Arc(int blades, double curvature, int chords)
 {
     constexpr double kPi = 3.14159265358979323846;
-    // frame: middle of the edge, looking outward; half the chord, half the arc's angle
     const double half = std::sin(kPi / blades), middle = std::cos(kPi / blades);
     const double spread = std::asin(curvature * half);
-    // arc at the fraction t, -1 to 1; the limit for a curvature of 0
     const auto at = [&](double t) -> AperturePoint
     {
         if (spread < 1e-8)
@@ -41,7 +39,7 @@ inline std::vector<AperturePoint> Arc(int blades, double curvature, int chords)
     std::vector<double> place(chords + 1), sum(chords + 1), moved(chords + 1);
     for (int i = 0; i <= chords; ++i)
         place[i] = 2.0 * i / chords - 1;
-    // Moves the points to equal steps of area, interpolated linearly; each pass reduces the inequality to a small part.
+    // moves the points to equal steps of area; each pass leaves a small part of the inequality
     for (int pass = 0; pass < 20; ++pass)
     {
         for (int i = 0; i < chords; ++i)

@@ -12,19 +12,18 @@
 namespace tilt_lens
 {
 
-/// Solve() turns some into members of Lens; vignetting.h and aperture.h use the others directly.
 struct Character
 {
     double naturalVignetting = 0.0;  ///< share of the natural fall-off, 0 to 1
-    double opticalVignetting = 0.0;  ///< shift of a rim before the lens over the aperture, from the film's corners; rim diameters
+    double opticalVignetting = 0.0;  ///< shift of a rim before the lens at the film's corners, in rim diameters
     std::optional<double> rimStop;   ///< f-number of that rim; absent: as wide as the aperture
-    double edgeLight = 0.0;          ///< brighter at the aperture's rim (above 0) or middle (below 0)
-    double distortion1 = 0.0;        ///< of r^2, r being half film widths from the lens's axis
-    double distortion2 = 0.0;        ///< of r^4
+    double edgeLight = 0.0;          ///< positive: brighter at the aperture's rim; negative: in its middle
+    double distortion1 = 0.0;        ///< factor of r^2; r: distance from the lens's axis in half film widths
+    double distortion2 = 0.0;        ///< factor of r^4
     double distortionNear = 0.0;     ///< times focal length / focus distance, added to distortion1
-    double fieldCurvature = 0.0;     ///< mm of the image before the film, half a film's width off the axis
-    double lateralColour = 0.0;      ///< mm of the red end's image outside the blue end's there
-    double axialColour = 0.0;        ///< mm of the red end's image behind the blue end's
+    double fieldCurvature = 0.0;     ///< mm by which the image half a film's width off the axis lies before the film
+    double lateralColour = 0.0;      ///< mm between the images of the spectrum's ends there, positive if red is outside
+    double axialColour = 0.0;        ///< mm by which the red end's image lies behind the blue end's
 
     bool Distorts() const { return distortion1 != 0.0 || distortion2 != 0.0 || distortionNear != 0.0; }
 };

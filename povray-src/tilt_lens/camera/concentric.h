@@ -13,7 +13,7 @@ namespace tilt_lens
 {
 
 /// @name Sine and cosine for |x| <= pi/4, of a number or register.
-/// Taylor series; the first omitted term is below 3e-14. Faster than the C library's, and equal on every machine.
+/// Taylor series with an error below 3e-14: faster than the C library's, and equal on every machine.
 /// @{
 template<class Number>
 TILT_LENS_INLINED Number SmallSin(const Number& x)
@@ -33,13 +33,13 @@ TILT_LENS_INLINED Number SmallCos(const Number& x)
 }
 /// @}
 
-/// Polar form: concentric squares of [-1, 1]^2 become concentric circles. The diagonals divide the square into quarters.
+/// Polar form: concentric squares of [-1, 1]^2 become concentric circles. The square's diagonals divide it into quarters.
 template<class Number>
 struct Concentric
 {
-    decltype(Number() > Number()) sideways;  ///< in the left or right quarter
+    decltype(Number() > Number()) sideways;
     Number radius;  ///< signed as the quarter's main coordinate
-    Number slope;   ///< in [-1, 1]: 4/pi times the angle from the quarter's axis to the other axis
+    Number slope;   ///< 4/pi times the angle from the quarter's axis to the other axis
 };
 
 template<class Number>
@@ -63,7 +63,7 @@ TILT_LENS_INLINED void OnDisc(const Number& u, const Number& v, Number& a, Numbe
 }
 
 /// Polar position on a polygon.
-/// @param position  edges from the first corner, real
+/// @param position  number of edges from the first corner
 /// @param radius    0 at the centre, 1 on the edge
 template<class Number>
 TILT_LENS_INLINED void FindPosition(const Number& u, const Number& v, double edges, Number& position, Number& radius)

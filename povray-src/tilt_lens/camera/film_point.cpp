@@ -16,7 +16,6 @@ namespace
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Tangent beyond which folds are ignored.
 constexpr double kFarthestTangent = 1e6;
 
 struct Split
@@ -35,7 +34,7 @@ double Factor(const Lens& lens, const Vec3& chief, const Split& split)
     return 1.0 + squaredTangent * (lens.distortion2 + lens.distortionNear * nearness + squaredTangent * lens.distortion4);
 }
 
-/// The polynomial along one direction from the axis, 1 + square r^2 + cube r^3 + fourth r^4: the focus's nearness is linear in r.
+/// The distortion polynomial along one direction from the axis: 1 + square r^2 + cube r^3 + fourth r^4.
 struct Bend
 {
     double square, cube, fourth;
@@ -52,7 +51,7 @@ struct Bend
     double Slope(double r) const { return 1.0 + r * r * (3.0 * square + 4.0 * r * cube + 5.0 * fourth * r * r); }
 };
 
-/// For a chief ray that ends in the frame's plane; `up` may lean to `right`.
+/// `up` may lean to `right`.
 FilmPoint OnFrame(const Lens& lens, const Vec3& chief)
 {
     const Vec3 offset = chief - lens.direction;
@@ -60,8 +59,7 @@ FilmPoint OnFrame(const Lens& lens, const Vec3& chief)
     return {(Dot(offset, lens.axisRight) - y * Dot(lens.up, lens.axisRight)) / Dot(lens.right, lens.axisRight), y};
 }
 
-/// Solves Ideal(r) = wanted for r below the fold; negative: no solution. Newton's method in a bracket, with bisection for steps out of
-/// it.
+/// Solves Ideal(r) = wanted for r below the fold, by Newton's method with bisection for steps out of its bracket. Negative: no solution.
 double PictureTangent(const Bend& bend, double wanted)
 {
     const double fold = std::sqrt(FoldOf(bend.square, bend.fourth, bend.cube));
@@ -96,7 +94,7 @@ double Bisect(const Function& function, double low, double high)
     return low;
 }
 
-/// Least positive root of 1 + 3 a r^2 + 4 c r^3 + 5 b r^4, which is 1 at r = 0 and monotone between its turning points.
+/// Least positive root of 1 + 3 a r^2 + 4 c r^3 + 5 b r^4, which is monotone between its turning points.
 double LeastRoot(double a, double c, double b)
 {
     const auto slope = [=](double r) { return 1.0 + r * r * (3.0 * a + r * (4.0 * c + 5.0 * b * r)); };
@@ -131,7 +129,7 @@ double FoldOf(double distortion2, double distortion4, double cube)
     const double root = a * a - 4.0 * b;
     if (root < 0.0)
         return kInfinity;
-    const double divisor = -a + std::sqrt(root);  // 2/divisor is the least positive root, if any
+    const double divisor = -a + std::sqrt(root);
     return divisor > 0.0 ? 2.0 / divisor : kInfinity;
 }
 
@@ -171,13 +169,12 @@ double PictureStretch(const Lens& lens, const FilmPoint& picture)
 {
     if (!lens.distorts)
         return 1.0;
-    // derivative of the ideal chief ray by the picture's point, per length on the frame
     const Vec3 at = IdealChiefRay(lens, picture);
     const double step = 1e-5 * Length(lens.right);
     const auto moved = [&](const Vec3& by) { return IdealChiefRay(lens, IdealFilmPoint(lens, OnFrame(lens, at + by))); };
     const Vec3 right = step * lens.axisRight, up = step * lens.axisUp;
     const Vec3 byX = (moved(right) - moved(-right)) / (2.0 * step), byY = (moved(up) - moved(-up)) / (2.0 * step);
-    // inverse of that map's least singular value, from the eigenvalues of its square
+    // inverse of the least singular value of the derivative, from the eigenvalues of its square
     const double xx = Dot(byX, byX), yy = Dot(byY, byY), xy = Dot(byX, byY);
     const double least = 0.5 * (xx + yy) - std::hypot(0.5 * (xx - yy), xy);
     return 1.0 / std::sqrt(least);

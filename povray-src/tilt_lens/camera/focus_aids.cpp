@@ -22,10 +22,10 @@ const Rgb kBefore[4] = {{0.97, 0.97, 0.97}, {0.99, 0.76, 0.48}, {0.89, 0.46, 0.0
 const Rgb kBox{0.10, 0.10, 0.10}, kInk{1.0, 1.0, 1.0};
 
 const Rgb kNearLimit{0.95, 0.50, 0.05}, kFarLimit{0.05, 0.30, 0.95}, kSharpPlane{1.0, 1.0, 1.0};
-// surfaces behind all three must stay visible, as must the last one's blue
+// low enough to leave surfaces behind all three visible
 const double kNearOpacity = 0.25, kFarOpacity = 0.50, kSharpOpacity = 0.20, kLineOpacity = 0.75;
 
-/// Five rows of three dots, the left one counting 4.
+/// Five rows of three dots; the left dot counts 4.
 struct Glyph
 {
     char character;
@@ -37,7 +37,6 @@ const Glyph kGlyphs[] = {{'0', {7, 5, 5, 5, 7}}, {'1', {2, 6, 2, 2, 7}}, {'4', {
                          {'P', {7, 5, 7, 4, 4}}, {'R', {6, 5, 6, 5, 5}}, {'S', {7, 4, 7, 1, 7}}, {'U', {5, 5, 5, 5, 7}},
                          {'X', {5, 5, 2, 5, 5}}};
 
-/// Labels; small pictures have room for few.
 struct Number
 {
     double blur;
@@ -95,7 +94,6 @@ FocusMapScale::FocusMapScale(int pictureWidth, int pictureHeight)
     top = pictureHeight - height - kMargin * unit;
     pixels.assign(size_t(width) * height, kBox);
 
-    // room for half of the longest label at both ends
     const int from = (kMargin + 3 * kAdvance / 2) * unit, span = width - 2 * from;
     const int bar = (kMargin + kText + 1) * unit, numbers = bar + (kBar + kTick) * unit;
     for (int x = 0; x < span; x++)
@@ -146,12 +144,12 @@ std::optional<Rgb> FocusMapScale::At(int x, int y) const
 
 FocusPlanes::FocusPlanes(const Lens& itsLens, int itsWidth, int itsHeight) : lens(itsLens), width(itsWidth), height(itsHeight)
 {
-    // grid lines follow the camera's right as far as the plane allows, and cross it
+    // grid lines follow the camera's right as far as the plane allows
     const Vec3 normal = Length(lens.focus) > 0.0 ? Normalized(lens.focus) : lens.axis;
     const Vec3 across = lens.axisRight - Dot(lens.axisRight, normal) * normal;
     gridX = Normalized(Length(across) > 0.1 ? across : lens.axisUp - Dot(lens.axisUp, normal) * normal);
     gridY = Cross(normal, gridX);
-    // about ten lines over the frame, where the plane of sharp focus crosses the axis or is nearest
+    // about ten lines over the frame at the plane's distance on the axis, or its least
     const double axisFocus = AxisFocusOf(lens), nearest = 1.0 / Length(lens.focus);
     const double crossing = axisFocus > 0.0 && std::isfinite(axisFocus) ? axisFocus : nearest;
     const double distance = std::isfinite(crossing) ? crossing : lens.filmDistance;
@@ -163,8 +161,7 @@ Vec3 FocusPlanes::Chief(double x, double y) const
     return ChiefRay(lens, FilmPointAt(x, y, width, height));
 }
 
-/// True if a grid line passes the pixel with this upper left corner: its corners' grid cells differ. No grid where cells are no larger
-/// than pixels.
+/// True if the grid cells of the pixel's corners differ. No grid where cells are no larger than pixels.
 bool FocusPlanes::OnGridLine(double x, double y) const
 {
     double cell[3][2];

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file focus_aids.h
-/// Drawings over a picture that is sharp throughout, functions of the pixel in the whole picture alone.
+/// Drawings over a picture that is sharp throughout; they depend on the pixel in the whole picture alone.
 ///
 /// Colours are display colours (sRGB, 0 to 1), which the caller converts to scene light. Blur is BlurDiameter() of optics.h: pixels,
 /// positive before the plane of sharp focus.
@@ -37,12 +37,10 @@ constexpr double kPeakingTint = 0.5;
 /// Largest blur on focus_map's scale, pixels.
 constexpr double kMapLimit = 64.0;
 
-/// Position on focus_map's scale: -1 (behind, kMapLimit or more), 0 (sharp), 1 (before). Logarithmic, so that one pixel and fifty can
-/// both be read: sign(b) log(1 + |b|).
+/// Position on focus_map's scale: sign(b) log(1 + |b|), from -1 (behind, kMapLimit or more) to 1 (before).
 double FocusMapPosition(double blur);
 
-/// Blue behind, white in focus, orange before; darker with blur. The hues stay apart in all common kinds of colour blindness, and
-/// brightness alone tells the amount.
+/// Blue behind, white in focus, orange before; darker with blur.
 Rgb FocusMapColour(double blur);
 
 /// The scale at the bottom of focus_map's picture, labelled in pixels.
@@ -70,14 +68,14 @@ struct Veil
     double opacity;
 };
 
-/// Surfaces of show_planes: near limit, plane of sharp focus, far limit, for a blur of one pixel. A grid shows the plane's slope.
+/// Surfaces of show_planes: plane of sharp focus, and the near and far limit for a blur of one pixel. A grid shows the plane's slope.
 class FocusPlanes
 {
   public:
     /// @param lens  must outlive this
     FocusPlanes(const Lens& lens, int width, int height);
 
-    /// Surfaces before the ray parameter T of a pixel's chief ray, nearest first.
+    /// Surfaces between the lens and the point T of a pixel's chief ray, nearest first.
     std::vector<Veil> Before(int x, int y, double T) const;
 
     /// Grid spacing, scene units: 1, 2 or 5 times a power of ten.

@@ -22,7 +22,7 @@ namespace
 const double kPi = 3.14159265358979323846;
 const double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Degrees. Real lenses stop at about 10; more is probably a mistake.
+/// Degrees. Real lenses stop at about 10.
 const double kUnusualTilt = 15.0;
 
 /// Film widths. Real lenses stop at a third.
@@ -39,7 +39,7 @@ std::string NumberBelow(double value, double limit)
     return text == Number(limit) && value < limit ? "almost " + text : text;
 }
 
-/// In camera axes, rounding errors set to 0: a lens parallel to the film must read 0 and infinity for every camera orientation.
+/// In camera axes, with rounding errors set to 0.
 Vec3 InCamera(const Lens& lens, const Vec3& v)
 {
     const double rounding = kRounding * Length(v);
@@ -51,8 +51,8 @@ Vec3 InCamera(const Lens& lens, const Vec3& v)
     return {part(lens.axisRight), part(lens.axisUp), part(lens.axis)};
 }
 
-/// True if no chief ray meets the plane of sharp focus in front of the lens. The inverse distance is linear over the frame: testing
-/// corners suffices.
+/// True if no chief ray meets the plane of sharp focus in front of the lens. The inverse distance is linear over the frame,
+/// so testing its corners suffices.
 bool IsSharpBehindOnly(const Lens& lens)
 {
     for (double x : {-0.5, 0.5})
@@ -171,8 +171,7 @@ double BlurDiameter(const Lens& lens, const Vec3& chief, double T, double width)
 
 Vec3 PlaneOfBlur(const Lens& lens, double pixels, double width)
 {
-    // 1/T = w + pixels / BlurPerVergence, times T: the first term is k.X; the second is proportional to the distance along the axis,
-    // T times every chief ray's axis component
+    // 1/T = w + pixels / BlurPerVergence, multiplied by T
     const double perDistance = BlurPerVergence(lens, width) * Dot(lens.direction, lens.axis);
     return lens.focus + (pixels / perDistance) * lens.axis;
 }

@@ -40,7 +40,7 @@ std::string Text(const Vec3& v)
     return "<" + Number(v.x) + ", " + Number(v.y) + ", " + Number(v.z) + ">";
 }
 
-/// Camera axes: x `right`, y the part of `up` across it, z the film's normal; origin in the lens centre. The solver's frame.
+/// Camera axes, the solver's frame: x `right`, y the part of `up` across it, z the film's normal; origin in the lens centre.
 struct Axes
 {
     RealVec right, up, axis;
@@ -58,9 +58,8 @@ Axes AxesOf(const CameraFrame& camera)
     const RealVec up = Normalized(upAcross);
     RealVec axis = Cross(right, up);
     if (Dot(axis, direction) < 0)
-        axis = -axis;  // POV-Ray's cameras are left-handed unless `right` is negative
+        axis = -axis;
     const Axes axes{right, up, axis};
-    // rounding leaves a remainder even for dependent vectors
     const bool independent = Length(upAcross) > kRounding && Dot(axis, direction) > kRounding * Length(direction);
     if (!independent || !IsFinite(camera.location))
         throw OpticsError("The camera spans no picture: direction " + Text(camera.direction) + ", right " + Text(camera.right) + ", up " +
@@ -68,8 +67,7 @@ Axes AxesOf(const CameraFrame& camera)
     return axes;
 }
 
-/// Unit normal, camera axes, of a plane turned about the horizontal and the vertical axis. Both turns enter alike: their order does not
-/// matter.
+/// Unit normal, camera axes, of a plane turned about the horizontal and the vertical axis; the order of turns does not matter.
 RealVec TurnedNormal(double tiltDegrees, double swingDegrees, const char* what, const char* tiltWord, const char* swingWord)
 {
     if (!(std::fabs(tiltDegrees) < 90.0) || !(std::fabs(swingDegrees) < 90.0))
@@ -81,10 +79,9 @@ RealVec TurnedNormal(double tiltDegrees, double swingDegrees, const char* what, 
 
 /// k = n/d of the plane of sharp focus n.X = d.
 /// @param normal  unit vector, camera axes
-/// @param reach   size of the world coordinates that gave the distance
+/// @param reach   size of the world coordinates, for rounding
 RealVec FocusOfPlane(const RealVec& normal, const Real& distance, const Real& reach)
 {
-    // a distance within rounding error counts as 0
     if (!(abs(distance) > kRounding * reach))
         throw OpticsError("The plane of sharp focus passes through the lens centre (its distance from "
                           "the camera's location is " +
@@ -99,7 +96,7 @@ RealVec FocusOfPoints(const Axes& axes, const CameraFrame& camera, const Stateme
     const RealVec a = Exact(given.points[0]);
     const RealVec ab = Exact(given.points[1]) - a, ac = Exact(given.points[2]) - a;
     const RealVec normal = Cross(Normalized(ab), Normalized(ac));
-    // sine of the angle at A; 1e-12 allows for points typed with few digits
+    // sine of the angle at A, with a tolerance for points typed with few digits
     if (!(Length(normal) > 1e-12))
         throw OpticsError("The three focal_points lie on one line: " + Text(given.points[0]) + ", " + Text(given.points[1]) + ", " +
                           Text(given.points[2]) + ". They must span a plane; move one of them off the line.");
@@ -170,7 +167,7 @@ Solution SolveLensTurn(const RealVec& t, const RealVec& P, const std::optional<R
     {
         const Real s = angleFilmDistance, f = s * along / (s + P.z);
         const Real fromFilm = 1.0 / (s * along);
-        // t/f - z/s with the large terms removed, against cancellation
+        // t/f - z/s without cancellation of the large terms
         const RealVec k{t.x / f, t.y / f, t.z / along - aside * fromFilm};
         return {t, f, s, k};
     }
@@ -189,8 +186,7 @@ Solution SolveFilm(const RealVec& t, const Real& f, const Real& s)
     return {t, f, s, {t.x / f, t.y / f, t.z / f - 1 / s}};
 }
 
-/// Lens turned after it was focused at a distance from the film: before the turn the sum of film and subject distance,
-/// s + f s / (s - f).
+/// Lens turned after it was focused. Before the turn, the distance from film to subject is s + f s / (s - f).
 Solution SolveFocusScale(const RealVec& t, const Real& scale, const std::optional<Real>& focalLength, const Real& angleFilmDistance)
 {
     if (!focalLength)
@@ -208,13 +204,12 @@ Solution SolveFocusScale(const RealVec& t, const Real& scale, const std::optiona
                           " units, can focus: film and subject are at least four focal lengths (" + Number(least) +
                           " units) "
                           "apart. Give a larger distance, a larger scene_unit, or film_distance for a picture larger than life.");
-    // of two solutions, the lens nearer to the film
     return SolveFilm(t, f, 2 * f * scale / (scale + sqrt(scale * (scale - least))));
 }
 
 Solution SolvePlane(const RealVec& k, const std::optional<Real>& focalLength, const Real& angleFilmDistance)
 {
-    const Real across = sqrt(k.x * k.x + k.y * k.y);  // 1/J, J being the hinge line's distance
+    const Real across = sqrt(k.x * k.x + k.y * k.y);  // 1/J, the hinge line's inverse distance
     const char* backward = ". Such a plane needs a lens turned backward; move or turn the plane away from the camera.";
     if (!focalLength)
     {
@@ -280,7 +275,7 @@ Real DiameterOf(const Statement& given, const Real& focalLength)
     return Real(given.aperture) * given.scale / 2;  // POV-Ray's aperture is twice the diameter
 }
 
-/// Lens plane's right and up: camera axes after the smallest rotation that takes z to t, so the aperture turns no further than the lens.
+/// Lens plane's right and up: camera axes after the smallest rotation that takes z to t.
 void SpanLens(Lens& lens, const Axes& axes, const RealVec& t, const Real& diameter)
 {
     const Real radius = diameter / 2, bend = 1 / (1 + t.z);
@@ -290,8 +285,7 @@ void SpanLens(Lens& lens, const Axes& axes, const RealVec& t, const Real& diamet
     lens.lensY = Rounded(radius * axes.ToWorld(b));
 }
 
-/// `direction`, its axial component scaled to the film's distance if a focal length is stated. Its component across the axis is the
-/// camera's shift, and stays.
+/// `direction` with its axial component scaled to the film's distance if a focal length is stated; the camera's shift stays.
 RealVec FrameDirection(const Axes& axes, const CameraFrame& camera, const Statement& given, const Real& filmDistance, const Real& filmWidth)
 {
     if (!given.focalLength)
@@ -301,7 +295,7 @@ RealVec FrameDirection(const Axes& axes, const CameraFrame& camera, const Statem
     return direction + (wanted - Dot(axes.axis, direction)) * axes.axis;
 }
 
-/// A ray multiplies at most three of these lengths: no product overflows or loses digits by underflow.
+/// True if products of three such lengths, as in a ray, neither overflow nor underflow.
 bool IsModerate(double length)
 {
     return length > 1e-100 && length < 1e100;
@@ -337,7 +331,7 @@ double FilmVergence(const CameraFrame& camera, const Statement& given, double fo
     }
     catch (const OpticsError&)
     {
-        return -HUGE_VAL;  // nearer than this focal length can focus; all other errors hold for every focal length and are reported later
+        return -HUGE_VAL;  // this focal length cannot focus; other errors do not depend on it and are reported later
     }
 }
 
@@ -361,7 +355,6 @@ Lens SolveThinLens(const CameraFrame& camera, const Statement& given)
     lens.millimetre = double(scales.millimetre);
     lens.right = camera.right;
     lens.up = camera.up;
-    // a frame moved by a millimetre moves over the picture by that share of the film's width
     const Real perMillimetre = scales.rightLength / given.filmWidth;
     const RealVec direction = FrameDirection(axes, camera, given, solved.filmDistance, scales.filmWidth) +
                               (given.shiftRight * perMillimetre) * axes.right + (given.shiftUp * perMillimetre) * axes.up;

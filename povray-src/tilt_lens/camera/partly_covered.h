@@ -13,13 +13,12 @@
 namespace tilt_lens
 {
 
-/// Random points tried. With half of the aperture covered, one sample in 2^65 finds no open point.
+/// With half of the aperture covered, one sample in 2^65 finds no open point.
 constexpr int kTries = 64;
 
-/// Least open share in the picture's middle: less would need too long an exposure.
+/// Least open share in the picture's middle; less would need too long an exposure.
 constexpr double kLeastOpen = 0.01;
 
-/// Between 0 and 1.
 class UniformNumbers
 {
   public:

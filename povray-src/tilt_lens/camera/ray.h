@@ -9,11 +9,8 @@
 ///     l = a lensX + b lensY               point of the tilted lens;
 ///     ray: from l, along D - w l.
 ///
-/// It meets the chief ray in front of the lens at D/w for w > 0; comes from that point behind the lens for w < 0; is parallel to it for w
-/// = 0. Distortion replaces D by another film point's chief ray (film_point.h). Field curvature has w = k.D + c a^2/b for a D that lies a
-/// across the lens's axis and b along it.
-///
-/// Where a lens touches a film point, no ray leads from a point to itself: the chief ray stands in.
+/// Distortion replaces D by another film point's chief ray (film_point.h). With field curvature, w = k.D + c a^2/b for a D that lies a
+/// across the lens's axis and b along it. Where a lens touches a film point, the chief ray replaces the ray.
 
 #ifndef TILT_LENS_RAY_H
 #define TILT_LENS_RAY_H
@@ -29,7 +26,7 @@
 namespace tilt_lens
 {
 
-/// Not normalised, for any lens; see IdealChiefRay().
+/// Not normalised; see IdealChiefRay().
 inline Vec3 ChiefRay(const Lens& lens, const FilmPoint& film)
 {
     const FilmPoint ideal = lens.distorts ? IdealFilmPoint(lens, film) : film;
@@ -45,7 +42,7 @@ TILT_LENS_INLINED Number FieldVergence(const Lens& lens, const VecOf<Number>& ch
     return lens.fieldCurvature * Dot(across, across) / along;
 }
 
-/// A chief ray meets the surface of sharp focus at the parameter 1/w.
+/// Inverse w of the parameter at which a chief ray meets the surface of sharp focus.
 inline double FocusVergence(const Lens& lens, const Vec3& chief)
 {
     const double w = Dot(lens.focus, chief);
@@ -56,22 +53,20 @@ template<class Number>
 struct LensRayOf
 {
     VecOf<Number> origin;     ///< relative to the lens centre, world axes, scene units
-    VecOf<Number> direction;  ///< not normalised: the plane of sharp focus is at 1/w
+    VecOf<Number> direction;  ///< not normalised: the surface of sharp focus is at 1/w
     Number w;
 };
 
 using LensRay = LensRayOf<double>;
 
-/// For film points of the ideal lens, one or several side by side.
-/// @param x, y      see FilmPoint
-/// @param a, b      see AperturePoint
+/// Rays of film points of the ideal lens, one or several side by side.
 /// @param vergence  added to w per length of the chief ray along the lens's axis
 template<class Number>
 TILT_LENS_INLINED LensRayOf<Number> RayFromIdeal(const Lens& lens, const Number& x, const Number& y, const Number& a, const Number& b,
                                                  double vergence = 0.0)
 {
     const VecOf<Number> chief = IdealChiefRay(lens, x, y);
-    // linear over the frame: k.D would cancel where k and D are nearly perpendicular
+    // k.D would cancel where k and D are nearly perpendicular
     Number w = lens.focusMiddle + x * lens.focusRight + y * lens.focusUp;
     if (lens.fieldCurvature != 0.0)
         w += FieldVergence(lens, chief);
@@ -82,15 +77,13 @@ TILT_LENS_INLINED LensRayOf<Number> RayFromIdeal(const Lens& lens, const Number&
     return {point, {none ? chief.x : direction.x, none ? chief.y : direction.y, none ? chief.z : direction.z}, w};
 }
 
-/// @param x, y  see FilmPoint
-/// @param a, b  see AperturePoint
 inline LensRay MakeRay(const Lens& lens, double x, double y, double a, double b)
 {
     const FilmPoint ideal = lens.distorts ? IdealFilmPoint(lens, {x, y}) : FilmPoint{x, y};
     return RayFromIdeal(lens, ideal.x, ideal.y, a, b);
 }
 
-/// One array per number of samples and rays, each of whole fours.
+/// Arrays of samples and their rays; the sizes are multiples of 4.
 struct RayArrays
 {
     const double *x, *y, *a, *b;
@@ -100,8 +93,7 @@ struct RayArrays
     double* w;
 };
 
-/// MakeRay() for samples `begin` to before `end`, bit for bit; side by side where the lens does not distort. May also fill the rest of
-/// the fours that it touches.
+/// Same results as MakeRay() for samples `begin` to before `end`. May also fill the rest of the fours that it touches.
 void MakeRays(const Lens& lens, const RayArrays& rays, std::size_t begin, std::size_t end);
 
 /// @param hue  place in the spectrum, -1 (blue end) to 1 (red end); MakeRay() has 0
@@ -111,9 +103,9 @@ inline LensRay MakeColourRay(const Lens& lens, double x, double y, double a, dou
     return RayFromIdeal(lens, ideal.x, ideal.y, a, b, -hue * lens.axialColour);
 }
 
-/// The chief ray D, of any length, of the ray through the lens point l and the point P. None if there is none, or if it reaches P from
-/// beyond its film point's focus. On the ray, P = l + s (D - w l), so Y = s D solves Y = P - l + w(Y) l; w(Y) = k.Y + c a^2/b. Y equals P
-/// along the lens's axis, so the equation is quadratic in w(Y).
+/// The chief ray D, of any length, of the ray through the lens point l and the point P. None if there is none, or if the ray reaches P
+/// from beyond its film point's focus. Y = s D solves Y = P - l + w(Y) l, and Y equals P along the lens's axis, so the equation is
+/// quadratic in w(Y).
 inline std::optional<Vec3> ChiefThrough(const Lens& lens, const Vec3& P, const Vec3& l)
 {
     const double divisor = 1.0 - Dot(lens.focus, l);
@@ -123,7 +115,7 @@ inline std::optional<Vec3> ChiefThrough(const Lens& lens, const Vec3& P, const V
     const double along = Dot(way, lens.normal);
     const Vec3 across = way - along * lens.normal;
     const double perAlong = lens.fieldCurvature / along;
-    // square w^2 - linear w + constant = 0; the root that becomes the ideal lens's as c vanishes
+    // square w^2 - linear w + constant = 0; as c vanishes, this root becomes the ideal lens's
     const double square = perAlong * Dot(l, l), linear = divisor - 2.0 * perAlong * Dot(across, l);
     const double constant = Dot(lens.focus, way) + perAlong * Dot(across, across);
     const double root = linear * linear - 4.0 * square * constant;
@@ -132,8 +124,8 @@ inline std::optional<Vec3> ChiefThrough(const Lens& lens, const Vec3& P, const V
     return way + (2.0 * constant / (linear + std::sqrt(root))) * l;
 }
 
-/// 1/T - w of a chief ray's point at T. The circle of confusion is the lens outline times this, in units of `right` and `up` divided by
-/// their lengths. Zero in focus, positive before the plane of sharp focus, finite for infinite T.
+/// 1/T - w of a chief ray's point at T: zero in focus, positive before the plane of sharp focus, finite for infinite T. The circle of
+/// confusion is the lens outline times this, in units of `right` and `up` divided by their lengths.
 inline double BlurVergence(const Lens& lens, const Vec3& chief, double T)
 {
     return 1.0 / T - FocusVergence(lens, chief);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file real.h
-/// The solver's numbers: 113 bits, and exponents far beyond doubles, so that much may cancel (a plane of focus a hair from the lens, a
-/// camera 10^12 units from the origin); the lens is rounded once, at the end. Equal on every machine: it needs no C library.
+/// The solver's numbers: 113 bits and a wide range of exponents, against cancellation. The lens is rounded to doubles once, at the end.
+/// Equal on every machine, since it needs no C library.
 
 #ifndef TILT_LENS_REAL_H
 #define TILT_LENS_REAL_H

@@ -17,7 +17,7 @@ namespace tilt_lens
 namespace
 {
 
-/// Difference of deviations, relative to the greatest vergence, that counts as none: far above Real's rounding, far below doubles'.
+/// Relative difference of deviations that counts as none: far above Real's rounding, far below doubles'.
 const double kSameDeviation = 1e-24;
 
 /// An equation after a part of k is known.
@@ -30,7 +30,7 @@ struct Row
     bool Empty() const { return direction.x == 0 && direction.y == 0 && direction.z == 0; }
 };
 
-/// Span of some rows' directions, and the k in it that leaves given residuals.
+/// Span of some rows' directions, and the k in it with given residuals.
 class Span
 {
   public:
@@ -38,7 +38,7 @@ class Span
     RealVec Beside(const Row& row) const
     {
         RealVec beside = row.direction;
-        for (int turn = 0; turn < 2; turn++)  // the second removes the first's rounding
+        for (int turn = 0; turn < 2; turn++)  // the second turn removes the first's rounding
             for (const RealVec& unit : basis)
                 beside = beside - Dot(beside, unit) * unit;
         return Length(beside) > row.rounding ? beside : RealVec();
@@ -46,7 +46,6 @@ class Span
 
     bool Holds(const Row& row) const { return Row{Beside(row), 0, 0}.Empty(); }
 
-    /// @param row  outside the span
     void Add(const Row& row, const Real& residual = 0)
     {
         const RealVec unit = Normalized(Beside(row));
@@ -54,7 +53,7 @@ class Span
         basis.push_back(unit);
     }
 
-    /// The row without its part in span and k.
+    /// The row without its part in the span and in k.
     Row Rest(const Row& row) const { return {Beside(row), row.vergence - Dot(k, row.direction), row.rounding}; }
 
     RealVec k{};
@@ -71,10 +70,10 @@ struct Circuit
 {
     Indices rows;
     std::vector<Real> weights;  ///< magnitudes sum to 1; signs of the residuals
-    Real deviation = 0;         ///< least of its rows', not negative
+    Real deviation = 0;         ///< least deviation of its rows, not negative
 };
 
-/// @param independent  rows whose span holds the row `last`; unneeded ones stay out
+/// @param independent  rows whose span holds the row `last`
 Circuit CircuitOf(const Rows& rows, const Indices& independent, std::size_t last)
 {
     Circuit circuit;
@@ -153,11 +152,11 @@ struct Solved
 Solved StrictSolution(const Rows& rows, const Real& same);
 
 /// Gives a circuit's rows its deviation, and solves the others by the free part of k.
-/// @return  whole k, and the others' circuit
+/// @return  k, and the others' circuit
 Solved SolveBeside(const Rows& rows, const Circuit& circuit, const Real& same)
 {
     Span span;
-    for (std::size_t i = 0; i + 1 < circuit.rows.size(); i++)  // the last one follows from the others
+    for (std::size_t i = 0; i + 1 < circuit.rows.size(); i++)
         span.Add(rows[circuit.rows[i]], circuit.weights[i] > 0 ? circuit.deviation : Real(-circuit.deviation));
     Rows rest;
     Indices indices;
@@ -174,8 +173,7 @@ Solved SolveBeside(const Rows& rows, const Circuit& circuit, const Real& same)
     return solved;
 }
 
-/// Exchanges circuits until none has a greater deviation. Each has a greater one than the last, so this ends: a plane that left the rows
-/// of both, the circuit and the rest's, no more than the circuit's deviation would have left the rest's circuit less than it can.
+/// Exchanges circuits until none has a greater deviation. Each has a greater one than the last, so this ends.
 /// @param rows  none of them empty
 Solved SolveRows(const Rows& rows, const Real& same)
 {
@@ -201,7 +199,7 @@ Solved SolveRows(const Rows& rows, const Real& same)
     }
 }
 
-/// An empty row is a circuit of its own, without effect on k.
+/// An empty row does not affect k.
 Solved StrictSolution(const Rows& rows, const Real& same)
 {
     Rows full;
@@ -228,7 +226,7 @@ std::string Text(const Vec3& v)
     return "<" + Number(v.x) + ", " + Number(v.y) + ", " + Number(v.z) + ">";
 }
 
-/// Sine of the angle below which points count as on one line, as for focal_points.
+/// As for focal_points.
 bool OnOneLine(const std::vector<RealVec>& points)
 {
     const auto apart = [&](const RealVec& point) { return Length(point - points[0]) > kDependent * Length(points[0]); };

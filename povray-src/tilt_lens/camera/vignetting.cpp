@@ -17,11 +17,9 @@ namespace tilt_lens
 namespace
 {
 
-/// Entries per row and column of the table. The share's second derivative is about 2 over the frame; linear interpolation errs by 1/8 of
-/// that over the squared number of steps, less than 1/10000.
+/// Entries per row and column of the table: linear interpolation errs by less than 1/10000.
 constexpr int kTableSide = 65;
 
-/// Lens points per row and column that measure the shares.
 constexpr int kCountSide = 128;
 
 } // namespace
@@ -44,7 +42,7 @@ Vignetting::Vignetting(std::shared_ptr<const Lens> itsLens, const Aperture& aper
     exposure = 1.0 / share;
 }
 
-/// The fall-off arises behind the lens: the film point's chief ray, without distortion.
+/// The fall-off arises behind the lens, so distortion does not change it.
 double Vignetting::Falloff(const FilmPoint& film) const
 {
     const Vec3 chief = IdealChiefRay(*lens, film);
@@ -67,7 +65,7 @@ Vignetting::Opening Vignetting::OpeningFor(const FilmPoint& film) const
             rimRadius / lensRadius};
 }
 
-/// Counts lens points. Those near the opening's edge count in part, as if as wide as the distance to the next.
+/// Counts lens points. Those near the opening's edge count in part.
 void Vignetting::Tabulate(const Aperture& aperture)
 {
     std::vector<AperturePoint> points;
@@ -78,7 +76,6 @@ void Vignetting::Tabulate(const Aperture& aperture)
         for (int column = 0; column < kTableSide; column++)
         {
             const Opening opening = OpeningFor(FilmPointOfPlace(kTableSide, row, column));
-            // change of the squared distance from the rim across one point's width
             const double ramp = kCountSide / (4.0 * std::fabs(opening.m) * opening.radius);
             double sum = 0.0;
             for (const AperturePoint& point : points)
@@ -123,7 +120,6 @@ double Vignetting::DrawPoint(const Aperture& aperture, const FilmPoint& film, do
     return opening.Left(point) >= 0.0 ? brightness / DrawDensity(film) : 0.0;
 }
 
-/// The weight allows for film points whose tried lens points are all covered.
 double Vignetting::DrawDensity(const FilmPoint& film) const
 {
     const double share = OpenShare(film);

@@ -4,20 +4,18 @@
 /// @file vignetting.h
 /// Light fall-off towards the picture's edges. The centre keeps its brightness.
 ///
-/// Natural vignetting: off the axis, a film point sees the lens smaller and at an angle. For a chief ray C on the film's side, z the
-/// film's normal and t the lens's, irradiance falls with
+/// Natural vignetting: for a chief ray C on the film's side, z the film's normal and t the lens's, irradiance falls with
 ///
 ///     (z.C) (t.C) / |C|^4,
 ///
 /// which is cos^4 if both are parallel.
 ///
-/// Optical vignetting: a rim before the lens hides a part of the aperture. A ray meets the rim's plane, at the distance h along the
-/// lens's axis, at m l + e, with
+/// Optical vignetting: a rim before the lens hides a part of the aperture. A ray meets the rim's plane, at the distance h along the lens's
+/// axis, at m l + e, with
 ///
 ///     e = (h / t.D) D across t,   m = 1 - (h / t.D) w         (D, w, l as in ray.h),
 ///
-/// so a film point sees a disc of the aperture. Samples are drawn there and weighted with its share of the aperture: a uniform surface
-/// stays free of noise.
+/// so a film point sees a disc of the aperture. Samples are drawn in this disc and weighted with its share of the aperture.
 
 #ifndef TILT_LENS_VIGNETTING_H
 #define TILT_LENS_VIGNETTING_H
@@ -44,22 +42,20 @@ class Vignetting
 
     bool None() const { return natural == 0.0 && rimDistance == 0.0; }
 
-    /// Relative to the centre: natural fall-off and exposure, without the rim's share. The exposure makes up for the light that the
-    /// rim takes in the centre.
+    /// Natural fall-off and exposure, relative to the centre. The exposure makes up for the light that the rim takes there.
     double Brightness(const FilmPoint& film) const;
 
-    /// Share of the aperture's light that passes the rim: bilinear in a table over the frame, to within 0.001.
+    /// Share of the aperture's light that passes the rim, to within 0.001.
     double OpenShare(const FilmPoint& film) const;
 
     bool Passes(const FilmPoint& film, const AperturePoint& point) const;
 
-    /// Draws an open lens point: the sequence's own, or else a random one. Open points keep their relative density.
+    /// Draws an open lens point: that of (u, v), or else a random one with the same density.
     /// @param seed        of the random numbers
-    /// @param[out] point  lens point
     /// @return            sample weight; 0 for a film point without light
     double DrawPoint(const Aperture& aperture, const FilmPoint& film, double u, double v, std::uint32_t seed, AperturePoint& point) const;
 
-    /// Density of an open point of DrawPoint() relative to that without the rim.
+    /// Density of an open point of DrawPoint(), relative to that without the rim.
     double DrawDensity(const FilmPoint& film) const;
 
     /// Scene units; 0 without a rim.

@@ -14,10 +14,9 @@ namespace tilt_lens
 namespace
 {
 
-/// Wavelengths per third of the spectrum: a fringe 16 pixels wide gets one per pixel.
+/// Wavelengths per third of the spectrum.
 constexpr int kWavelengths = 16;
 
-/// (ng - nF) / (nF - nC) of a normal glass.
 double NormalPartialDispersion(double abbe)
 {
     return 0.6438 - 0.001682 * abbe;
@@ -30,7 +29,7 @@ double InverseSquare(double wavelength)
 
 } // namespace
 
-/// With x = 1/w^2, n = index + (x - xd) (b + c (x + xd)): the slope between two lines is b + c times the sum of their x.
+/// With x = 1/w^2, n = index + (x - xd) (b + c (x + xd)).
 double IndexAt(double index, double abbe, double wavelength)
 {
     if (abbe == 0.0)
@@ -69,7 +68,6 @@ GlassOfColours::GlassOfColours(const GlassLens& lens, const Prescription& prescr
     }
 }
 
-/// A third includes its upper end, as in TraceColours().
 const GlassLens& GlassOfColours::Of(double hue) const
 {
     const int count = int(lenses.size()), place = int(std::ceil(0.5 * (hue + 1.0) * count)) - 1;

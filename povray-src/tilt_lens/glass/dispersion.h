@@ -2,14 +2,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file dispersion.h
-/// Dispersion of glass.
+/// Dispersion of glass. Cauchy's equation, n = A + B/w^2 + C/w^4 for the wavelength w, is fitted to the index n at the d line (587.6 nm),
+/// the Abbe number V = (n - 1) / (nF - nC), and a normal glass's (ng - nF) / (nF - nC) = 0.6438 - 0.001682 V.
 ///
-/// Index n at the d line (587.6 nm) and Abbe number V = (n - 1) / (nF - nC) fix two points of the dispersion curve. The third is a normal
-/// glass's: (ng - nF) / (nF - nC) = 0.6438 - 0.001682 V. Cauchy's equation, n = A + B/w^2 + C/w^4 for the wavelength w, is fitted to all
-/// three.
-///
-/// Sources: Schott, technical information TIE-29, "Refractive index and dispersion" (the line of normal glasses); M. Born, E. Wolf,
-/// Principles of Optics, section 2.3.4 (Cauchy's equation).
+/// Sources: Schott, technical information TIE-29, "Refractive index and dispersion" (normal glasses); M. Born, E. Wolf, Principles of
+/// Optics, section 2.3.4 (Cauchy's equation).
 
 #ifndef TILT_LENS_DISPERSION_H
 #define TILT_LENS_DISPERSION_H
@@ -23,7 +20,7 @@
 namespace tilt_lens
 {
 
-/// @name nm.
+/// @name Wavelengths, nm.
 /// @{
 constexpr double kLineD = 587.5618, kLineF = 486.1327, kLineC = 656.2725, kLineG = 435.8343;
 

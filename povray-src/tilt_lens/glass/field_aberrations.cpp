@@ -13,7 +13,7 @@ namespace tilt_lens
 namespace
 {
 
-/// Direction cosines between neighbouring rays: its square vanishes beside 1, yet it is far above rounding.
+/// Difference of direction cosines between neighbouring rays: its square is negligible beside 1, yet it is far above rounding.
 constexpr double kStep = 1e-5;
 
 struct Aimed
@@ -27,7 +27,6 @@ struct Aimed
         return ray && lens.Trace(*ray, stop) == Passage::Passed ? ray : std::optional<GlassRay>();
     }
 
-    /// Direction to the stop's centre, by the secant method from the paraxial one.
     std::optional<double> MiddleOfStop() const
     {
         double l = ParaxialAim(lens.Cardinal(), film).l, before = l + 1e-3;
@@ -68,7 +67,7 @@ std::optional<FieldAberrations> FieldAberrationsOf(const GlassLens& lens, double
     const auto above = aimed.Towards(*middle + kStep, 0.0, stop), below = aimed.Towards(*middle - kStep, 0.0, stop);
     if (!chief || !beside || !above || !below)
         return {};
-    // 1/distance from H at which neighbours meet, where y + z dy/dz vanishes; the chief ray has y = 0
+    // 1/distance from H at which neighbours meet, where y + z dy/dz vanishes
     const auto atH = [](double place, double slope, double z) { return place - slope * z; };
     const double besideSlope = Slope(beside->direction.y, *beside);
     const double sagittal = -besideSlope / atH(beside->origin.y, besideSlope, beside->origin.z);
@@ -76,7 +75,6 @@ std::optional<FieldAberrations> FieldAberrationsOf(const GlassLens& lens, double
     const double apart = atH(above->origin.x, aboveSlope, above->origin.z) - atH(below->origin.x, belowSlope, below->origin.z);
     const double tangential = -(aboveSlope - belowSlope) / apart;
     const double focused = 1.0 / points.focalLength - 1.0 / filmDistance, square = filmDistance * filmDistance;
-    // the chief ray's point on the plane of sharp focus, or its direction if that is at infinity
     const double chiefSlope = Slope(chief->direction.x, *chief);
     const double shown = focused * atH(chief->origin.x, chiefSlope, chief->origin.z) + chiefSlope;
     return FieldAberrations{shown / (-height / filmDistance) - 1.0, (sagittal - focused) * square, (tangential - focused) * square};

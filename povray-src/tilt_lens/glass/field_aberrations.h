@@ -17,14 +17,13 @@ namespace tilt_lens
 struct FieldAberrations
 {
     double distortion;  ///< relative: an ideal lens shows the point (1 + this) times as far from the axis
-    double sagittal;    ///< mm of the sagittal image (rays equally far from the axis) before the film
-    double tangential;  ///< mm of the tangential image (rays in the plane through the axis) before the film
+    double sagittal;    ///< mm by which rays equally far from the axis meet before the film
+    double tangential;  ///< mm by which rays in the plane through the axis meet before the film
 };
 
-/// From rays near the chief ray, which passes the stop's centre.
 /// @param filmDistance  mm, from H' along the axis, to a film perpendicular to it
 /// @param height        mm, film point from the axis
-/// @return              none if the chief ray does not pass
+/// @return              none if the chief ray, through the stop's centre, does not pass
 std::optional<FieldAberrations> FieldAberrationsOf(const GlassLens& lens, double filmDistance, double height);
 
 } // namespace tilt_lens

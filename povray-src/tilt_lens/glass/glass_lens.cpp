@@ -15,7 +15,6 @@ namespace tilt_lens
 namespace
 {
 
-/// Finds the widest ray to 1e-12 of the first surface.
 constexpr int kHalvings = 40;
 
 double IndexBefore(const Prescription& prescription, std::size_t row)
@@ -99,7 +98,6 @@ void GlassLens::TakeIndices(const Prescription& prescription)
     }
 }
 
-/// The stop's radius is the height of the beam's outermost ray there.
 void GlassLens::StopDown(double fNumber)
 {
     const double height = 0.5 * cardinal.focalLength / fNumber;
@@ -161,7 +159,7 @@ double GlassLens::RearRadius() const
 GlassLens::Front GlassLens::FrontBox() const
 {
     const GlassSurface& front = surfaces.back();
-    // an aspherical surface may bend back: its sag at the rim does not bound it, the ball around the vertex does
+    // an aspherical surface may bend back, so the ball around its vertex is the bound
     const double radius = std::sqrt(front.squaredRim);
     return {radius, front.z - radius, front.z + radius};
 }

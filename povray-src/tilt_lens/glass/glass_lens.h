@@ -4,14 +4,11 @@
 /// @file glass_lens.h
 /// A lens of glass: cardinal points by paraxial rays, and real rays by Snell's law.
 ///
-/// The folder glass/ holds lenses of glass by themselves: reading prescriptions, tracing surfaces, measuring pupils. It knows neither
-/// camera nor film.
+/// The folder glass/ reads prescriptions, traces surfaces and measures pupils. It knows neither camera nor film.
 ///
-/// Frame: mm, z along the lens's axis towards the scene, origin in the front principal point H. The rear one, H', lies at z =
-/// -separation. An ideal lens has no space between H and H'; its formulas hold with the film moved by the separation along the axis.
+/// Frame: mm, z along the lens's axis towards the scene, origin in the front principal point H. The rear one, H', lies at z = -separation.
 ///
-/// Sources: W. J. Smith, Modern Optical Engineering, chapters 2 and 10 (paraxial equations; a transfer to a surface that needs no special
-/// case for planes).
+/// Source: W. J. Smith, Modern Optical Engineering, chapters 2 and 10.
 
 #ifndef TILT_LENS_GLASS_LENS_H
 #define TILT_LENS_GLASS_LENS_H
@@ -32,18 +29,18 @@ namespace tilt_lens
 struct CardinalPoints
 {
     double focalLength = 0.0;
-    double separation = 0.0;     ///< from H back to H'
+    double separation = 0.0;     ///< distance from H back to H'
     double frontVertex = 0.0;    ///< z of the first surface
     double rearVertex = 0.0;     ///< z of the last surface
-    double backFocus = 0.0;      ///< last surface to the film, focused at infinity
+    double backFocus = 0.0;      ///< from the last surface to the film, focused at infinity
     double entrancePupil = 0.0;  ///< z
     double exitPupil = 0.0;      ///< z; infinite for a telecentric lens
-    double exitMagnification = 0.0;  ///< radius over the stop's; infinite with exitPupil
+    double exitMagnification = 0.0;  ///< exit pupil's radius over the stop's; infinite with exitPupil
     double fNumber = 0.0;        ///< wide open: focal length over the diameter of the widest axial beam of real rays
-    double entranceRadius = 0.0; ///< over the stop's; negative if the stop's image is inverted
+    double entranceRadius = 0.0; ///< entrance pupil's radius over the stop's; negative if the stop's image is inverted
 };
 
-/// By paraxial rays; leaves out the f-number, which takes real ones.
+/// All but the f-number, which takes real rays.
 /// @throws PrescriptionError  a lens that does not collect light
 CardinalPoints CardinalPointsOf(const Prescription& prescription);
 
@@ -61,7 +58,7 @@ enum class Passage
     Missed
 };
 
-/// Relative to the stop's radius: right and up as the camera sees it, left and down in the lens if the stop's image is inverted.
+/// Relative to the stop's radius: right and up as the camera sees it.
 struct StopPoint
 {
     double a, b;
@@ -75,13 +72,12 @@ struct FourStopPoints
 class GlassLens
 {
   public:
-    /// Wide open.
+    /// The lens wide open.
     /// @throws PrescriptionError  a lens that does not collect light
     explicit GlassLens(const Prescription& prescription);
 
     const CardinalPoints& Cardinal() const { return cardinal; }
     double StopRadius() const { return stopRadius; }
-    /// The last surface's clear opening.
     double RearRadius() const;
 
     /// Makes fNumber the focal length over the axial beam's diameter; never wider than built.
@@ -99,7 +95,7 @@ class GlassLens
     /// @param rims         false: only the stop blocks rays
     Passage Trace(GlassRay& ray, StopPoint& stop, bool rims = true) const;
 
-    /// Four rays side by side, with the results of one, to the last bit.
+    /// Traces four rays, each with the same result as one.
     /// @param[in,out] rays  those that do not pass may be NaN
     /// @return              one bit per passing ray, the lowest for the first
     unsigned int Trace(FourGlassRays& rays, FourStopPoints& stop, bool rims = true) const;
@@ -121,7 +117,6 @@ class GlassLens
     double stopRadius = 0.0, widestStop = 0.0;
 
     double WidestRay() const;
-    /// From a height at the stop to a StopPoint.
     double StopScale() const { return std::copysign(1.0 / stopRadius, cardinal.entranceRadius); }
     bool Opens(const StopPoint& stop) const { return !opening || opening(stop); }
     template<bool towardsScene>

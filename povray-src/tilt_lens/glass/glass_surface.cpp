@@ -11,7 +11,7 @@ namespace tilt_lens
 namespace
 {
 
-/// Newton's method to an aspherical surface: steps, and tolerance relative to the ray's height or 1 mm.
+/// Newton's method to an aspherical surface; the tolerance is relative to the ray's height or 1 mm.
 constexpr int kMostSteps = 30;
 constexpr double kNearEnough = 1e-13;
 
@@ -36,7 +36,6 @@ bool IntersectConic(const GlassSurface& surface, GlassRay& ray, Vec3& normal)
     return normal.z > 0.0;
 }
 
-/// Newton's method along the ray, from the conic's point.
 bool IntersectAspheric(const GlassSurface& surface, GlassRay& ray, Vec3& normal)
 {
     const double c = surface.curvature;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file glass_surface.h
-/// One surface of glass: intersection and Snell's law. Spheres and planes, the most common, are written once for one ray and for rays
-/// side by side (simd.h), equal to the last bit. Frame and source: glass_lens.h.
+/// One surface of glass: intersection and Snell's law. Spheres and planes are written once for one ray and for rays side by side (simd.h),
+/// with equal results. Frame and source: glass_lens.h.
 
 #ifndef TILT_LENS_GLASS_SURFACE_H
 #define TILT_LENS_GLASS_SURFACE_H
@@ -70,9 +70,8 @@ TILT_LENS_INLINED MaskOf<Number> Refract(const GlassSurface& surface, const Numb
     return left >= 0.0;
 }
 
-/// Sphere or plane: c |p|^2 = 2 p.z for p relative to the vertex, so c t^2 - 2 half t + constant = 0 along the ray; the root near the
-/// vertex counts. The square root is the cosine between the ray and the normal (-c p.x, -c p.y, 1 - c p.z). A sphere ends where it turns
-/// back.
+/// Sphere or plane: for p relative to the vertex, c |p|^2 = 2 p.z, so c t^2 - 2 half t + constant = 0 along the ray. The root near the
+/// vertex counts; a sphere ends where it turns back.
 /// @param ray  becomes the refracted ray, if any
 template<bool towardsScene, class Number>
 TILT_LENS_INLINED Crossing<Number> CrossSphere(const GlassSurface& surface, GlassRayOf<Number>& ray)

@@ -16,7 +16,7 @@ namespace tilt_lens
 namespace
 {
 
-/// Relative tolerance of stated distances: files round digits, and some sources estimate.
+/// Relative tolerance of stated distances, which files round.
 constexpr double kStatedDistance = 0.05;
 
 constexpr int kHalvings = 60;
@@ -65,7 +65,6 @@ double ObjectDistanceOf(const Prescription& prescription, double state)
 
 double StateFor(const Prescription& prescription, const std::function<double(double focalLength)>& filmVergence)
 {
-    // true if the film would have to stand nearer
     const auto tooNear = [&](double state)
     {
         const double focalLength = CardinalPointsOf(InState(prescription, state)).focalLength;

@@ -15,10 +15,9 @@ namespace tilt_lens
 namespace
 {
 
-/// No lens has more.
 constexpr std::size_t kMostRows = 200;
 
-/// Glass in visible light has up to 2.2, diamond 2.42, germanium in the infrared 4.
+/// Glass in visible light has up to 2.2, germanium in the infrared 4.
 constexpr double kMostIndex = 4.0;
 
 /// Glasses have 15 to 95.
@@ -53,8 +52,7 @@ void RequireSensible(const ReadRow& read, bool last)
                                                Number(kMostAbbe) + "; give 0 or none where it is not known, and in air.");
 }
 
-/// Gives rows without an index the medium before them, and finds the stop: the marked row, or the only plane within one medium. With a
-/// marked row, other such planes are rims.
+/// Gives rows without an index the medium before them, and finds the stop: the marked row, or the only plane within one medium.
 std::size_t FindStop(std::vector<ReadRow>& rows)
 {
     std::vector<std::size_t> marked, planes;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file prescription.h
-/// The table of a lens's surfaces, read from a file: the renderer pbrt's `.dat`, with Abbe numbers as an extension, or JSON of the lens
-/// shader lentil or the ISET toolboxes (docs/lenses.md). Order and signs are the file's: from scene to film, radius positive if the
-/// sphere's centre lies towards the film.
+/// The table of a lens's surfaces, read from a file: pbrt's `.dat`, with Abbe numbers as an extension, or JSON of the lens shader lentil
+/// or the ISET toolboxes (docs/lenses.md). As in the files, rows go from scene to film, and a radius is positive if the centre lies
+/// towards the film.
 
 #ifndef TILT_LENS_PRESCRIPTION_H
 #define TILT_LENS_PRESCRIPTION_H
@@ -23,8 +23,8 @@ namespace tilt_lens
 struct PrescriptionRow
 {
     double radius = 0.0;  ///< mm; 0: plane
-    double thickness = 0.0;  ///< mm along the axis to the next row; in the last row, only the difference to nearThickness counts
-    std::vector<double> nearThickness;  ///< mm, for each of objectDistances; empty: does not move. Last row: to the film
+    double thickness = 0.0;  ///< mm along the axis to the next row; the last row's counts only against nearThickness
+    std::vector<double> nearThickness;  ///< mm, for each of objectDistances (last row: to the film); empty: does not move
     double index = 1.0;  ///< behind the surface, at the d line (587.6 nm)
     double abbe = 0.0;  ///< of that medium; 0: not stated, or air
     double diameter = 0.0;  ///< mm, clear opening
@@ -37,11 +37,11 @@ struct Prescription
 {
     std::vector<PrescriptionRow> rows;
     std::size_t stop = 0;  ///< row of the aperture stop, a plane within one medium
-    std::vector<double> objectDistances;  ///< mm from the first surface to the focus, from far to near, for each nearThickness; empty: no
-        ///< group moves. The rows' thickness is for infinity
+    std::vector<double> objectDistances;  ///< mm from the first surface to the focus, from far to near; empty: no group moves. The rows'
+                                          ///< thickness is for infinity
 };
 
-/// No lens. The text continues the file's name: value found, values allowed, remedy.
+/// The prescription is no lens. The text continues the file's name: value found, values allowed, remedy.
 class PrescriptionError : public std::runtime_error
 {
   public:

@@ -19,7 +19,7 @@ struct ReadRow
 {
     PrescriptionRow row;
     int line = 0;
-    bool stop = false;  ///< marked by the file; its index is the row's before
+    bool stop = false;  ///< marked by the file; it has the index of the row before
 };
 
 struct ReadLens

@@ -13,20 +13,18 @@ namespace tilt_lens
 namespace
 {
 
-/// Directions of the search for the pupil's border; bisection finds it to 1/4000 of the pupil.
+/// Directions in which the pupil's border is searched; bisection finds it to 1/4000 of the pupil.
 constexpr int kSpokes = 32;
 constexpr int kHalvings = 11;
 
-/// Sides of ray grids if the pupil's centre is blocked: over twice the paraxial pupil, then over the last surface, which every ray
-/// crosses. Multiples of four.
+/// Sides of ray grids if the pupil's centre is blocked: over twice the paraxial pupil, then over the last surface. Multiples of four.
 constexpr int kPupilGrid = 24;
 constexpr int kSurfaceGrid = 64;
 
-/// Longest over shortest spoke beyond which spokes are measured again from the area's centre.
+/// If the longest spoke is more times the shortest, spokes are measured again from the area's centre.
 constexpr double kRound = 1.3;
 
-/// Enlarges the ellipse for borders between spokes and table entries; the second adds to it where rims cut the pupil, whose shape then
-/// varies more over the frame.
+/// Enlarges the ellipse for borders between spokes and table entries; the second adds to it where rims cut the pupil.
 constexpr double kMargin = 1.04;
 constexpr double kCoveredMargin = 0.08;
 
@@ -67,7 +65,7 @@ struct Seen
         return passing & lens.Trace(rays, stop, rims);
     }
 
-    /// About the paraxial pupil's radius, direction cosines.
+    /// Direction cosines.
     double Size() const
     {
         const CardinalPoints& points = lens.Cardinal();
@@ -102,7 +100,6 @@ struct Seen
         return PupilPoint{sum.l / passed, sum.m / passed};
     }
 
-    /// A passing direction, well within the pupil if possible.
     std::optional<PupilPoint> Inside(const std::optional<PupilPoint>& near) const
     {
         const PupilPoint aim = ParaxialAim(lens.Cardinal(), film);
@@ -122,7 +119,7 @@ struct Seen
     }
 };
 
-/// From an inner direction to the border, with rims and with the stop alone.
+/// Length from an inner direction to the border, with rims and with the stop alone.
 struct Spoke
 {
     double open, stop;
@@ -136,7 +133,7 @@ PupilPoint Along(int spoke)
     return {std::cos(angle), std::sin(angle)};
 }
 
-/// Four side by side: for each, a step that passes and one that does not or is untested.
+/// Four searches side by side. Each has a step that passes and one that does not.
 class FourSpokes
 {
   public:
@@ -178,7 +175,7 @@ class FourSpokes
 
     double Border(int i) const { return 0.5 * (passes[i] + ends[i]); }
 
-    /// One bit per spoke ending at a rim: the stop alone lets the blocked step pass.
+    /// One bit per spoke that ends at a rim, where the stop alone lets the blocked step pass.
     unsigned int EndAtRims() const { return Passing(ends, false); }
 
   private:
@@ -199,7 +196,6 @@ class FourSpokes
     }
 };
 
-/// Each search starts with the length of the fourth spoke before it.
 Spokes SpokesFrom(const Seen& seen, const PupilPoint& inside)
 {
     Spokes spokes;
@@ -253,7 +249,7 @@ PupilPoint MiddleOf(const Spokes& spokes, const PupilPoint& inside)
     return {inside.l + l / area, inside.m + m / area};
 }
 
-/// Proportions of the bounding box of the spokes' ends.
+/// Ellipse with the proportions of the bounding box of the spokes' ends.
 /// @param larger  factor on the ellipse through the farthest end
 PupilEllipse EllipseAround(const Spokes& spokes, const PupilPoint& inside, const PupilPoint& radial, double larger)
 {
@@ -290,7 +286,6 @@ std::optional<PupilView> ViewOf(const GlassLens& lens, const Vec3& film, const s
     if (!inside)
         return {};
     Spokes spokes = SpokesFrom(seen, *inside);
-    // spokes from the centroid integrate the area best
     const PupilPoint middle = MiddleOf(spokes, *inside);
     if (!IsRound(spokes) && seen.Passes(middle))
     {

@@ -4,9 +4,8 @@
 /// @file pupil_view.h
 /// View from a film point through a lens of glass: its exit pupil, cut by the rims.
 ///
-/// Directions are cosines (l, m) along the lens's horizontal and vertical axis. Areas dl dm are projected solid angles, cos(angle to the
-/// axis) dw, in which a uniform scene's light is uniform. A lens without coma maps them to areas of its entrance pupil, over which an
-/// ideal lens's samples are uniform.
+/// Directions are cosines (l, m) along the lens's horizontal and vertical axis. Areas dl dm are projected solid angles, in which a uniform
+/// scene's light is uniform (docs/optics.md, "Through glass").
 
 #ifndef TILT_LENS_PUPIL_VIEW_H
 #define TILT_LENS_PUPIL_VIEW_H
@@ -19,7 +18,7 @@
 namespace tilt_lens
 {
 
-/// Direction cosines along the lens's axes: one direction or several side by side.
+/// Direction cosines: one direction or several side by side.
 template<class Number>
 struct PupilPointOf
 {
@@ -61,14 +60,14 @@ TILT_LENS_INLINED PupilPointOf<Number> ParaxialAim(const CardinalPoints& points,
     return {way.x / length, way.y / length};
 }
 
-/// Squared cosine to the lens's axis; no direction if not positive.
+/// Squared cosine to the lens's axis; not positive if there is no such direction.
 template<class Number>
 TILT_LENS_INLINED Number SquaredAlong(const PupilPointOf<Number>& direction)
 {
     return 1.0 - direction.l * direction.l - direction.m * direction.m;
 }
 
-/// None for cosines of no direction.
+/// None if the cosines are no direction's.
 inline std::optional<GlassRay> RayTowards(const Vec3& film, const PupilPoint& direction)
 {
     const double square = SquaredAlong(direction);

@@ -45,7 +45,7 @@ class Members
             throw PrescriptionError(object.line, "a surface without \"" + std::string(name) + "\", which must be a number.");
         if (!found->Is(Kind::kList))
             return ValueOf(name, *found);
-        // one value per meridian: they must be equal
+        // one value per meridian, all equal
         const std::vector<JsonValue>& values = found->members;
         if (values.size() == 2 && values[0].Is(Kind::kNumber) && values[1].Is(Kind::kNumber) && values[0].number == values[1].number)
             return values[0].number;

@@ -48,7 +48,6 @@ struct Part
     }
 };
 
-/// Over a window of radius `kRadius` around each pixel of the wanted rows.
 template<int kRadius>
 TILT_LENS_INLINED void MeanAround(const float* values, const FilterInput& input, Plane& means)
 {
@@ -73,7 +72,6 @@ TILT_LENS_INLINED void MeanAround(const float* values, const FilterInput& input,
     }
 }
 
-/// Filtered along rows, for all products with filters along columns.
 template<int kChannels>
 class FilteredRows
 {
@@ -147,8 +145,7 @@ class RiskWeightedMean
     }
 
     /// @param candidate  linear estimate of the pixels from index i on: Mean(channel, i); CentreTap(i), its tap of the pixel itself;
-    ///                   NoiseLeft(i), the fraction of the pixel's variance that it leaves; Preference(i), its weight relative to a
-    ///                   filter of equal risk
+    ///                   NoiseLeft(i), the fraction of variance that it leaves; Preference(i), a factor of its weight
     template<class Candidate>
     TILT_LENS_INLINED void Add(const Candidate& candidate)
     {
@@ -165,7 +162,6 @@ class RiskWeightedMean
         });
     }
 
-    /// Unchanged if there is no noise around.
     float MeanOf(int c, int i) const
     {
         const float own = around.mean[c][i];
@@ -175,7 +171,6 @@ class RiskWeightedMean
         const float mean = Max(Min(own, 0.0f), means[c][i] / weights[i]);
         return c < 3 ? mean : Min(Max(own, 1.0f), mean);
     }
-    /// Upper bound of the remaining fraction of variance: a mean of estimates varies at most as the mean of their variances.
     float NoiseLeftOf(int i) const { return weights[i] > 0.0f ? noiseLeft[i] / weights[i] : 1.0f; }
 
     const Part& Risky() const { return risky; }
@@ -247,7 +242,7 @@ class SpreadCandidate
     {
         return Load<Floats>(&noiseLeft[i]) + (kCorrected ? NoiseLeftBy(kMean9) * NoiseLeftBy(kMean9) : 0.0f);
     }
-    /// Favours S where it is made of other pixels' samples, and more where the pixel's own have missed something.
+    /// Favours other pixels' samples, and more where the pixel's own have missed something.
     TILT_LENS_INLINED Floats Preference(int i) const
     {
         const Floats others = 1.0f - Load<Floats>(&ownTap[i]), square = others * others;

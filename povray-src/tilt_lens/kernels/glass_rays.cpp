@@ -10,7 +10,6 @@ namespace tilt_lens::TILT_LENS_VARIANT
 namespace
 {
 
-/// Rays at a conic or aspherical surface, one after the other.
 TILT_LENS_INLINED MaskOf<Doubles> CrossOneByOne(const GlassSurface& surface, bool rims, GlassRayOf<Doubles>& rays)
 {
     Doubles passes{};

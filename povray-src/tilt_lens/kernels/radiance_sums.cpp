@@ -12,7 +12,7 @@ namespace
 
 static_assert(sizeof(Radiance) == 5 * sizeof(double), "a vector or two of four channels, and one channel");
 
-/// Channels from number `first` on, in registers while samples are added.
+/// Keeps channels from number `first` on in registers.
 template<class Channels>
 struct ChannelSums
 {

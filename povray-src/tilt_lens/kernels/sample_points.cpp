@@ -12,7 +12,7 @@ namespace tilt_lens::TILT_LENS_VARIANT
 namespace
 {
 
-/// One coordinate of a group, by a loop that compilers vectorise.
+/// Written as a loop that compilers vectorise.
 TILT_LENS_INLINED void FindCoordinates(std::uint32_t first, std::uint32_t seed, const std::uint32_t* steps, double* coordinates)
 {
     for (std::uint32_t i = 0; i < settings.cameraRaysOfBatch; ++i)

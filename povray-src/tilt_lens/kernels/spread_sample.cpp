@@ -14,12 +14,11 @@ using Planes = SpreadPlanes;
 
 constexpr int kReach = Planes::kReach, kMostLanes = Planes::kMostLanes;
 
-/// Within reach of a sample: kReach before its own to kReach behind it.
 constexpr int kRows = 2 * kReach + 1;
 constexpr int kLanes = kRows + 1;
 static_assert(kLanes % kMostLanes == 0, "vectors hold them without a rest");
 
-/// Padded: a row's last vector may read beyond it.
+/// Padded, since a row's last vector may read beyond it.
 struct alignas(32) LaneNumbers
 {
     float of[kLanes + kMostLanes]{};
@@ -35,10 +34,9 @@ constexpr LaneNumbers Numbered()
 
 constexpr LaneNumbers kOffsets = Numbered();
 
-/// End of a sample's window, pixels.
 constexpr float kWindowRadius = kReach + 1;
 
-/// Along rows and columns, 1 - (distance / kWindowRadius)^2: without it, samples of a highlight would show as squares.
+/// 1 - (distance / kWindowRadius)^2 along rows and columns: without it, samples of a highlight would show as squares.
 constexpr LaneNumbers WindowOf(const LaneNumbers& offsets)
 {
     LaneNumbers window{};
@@ -49,14 +47,13 @@ constexpr LaneNumbers WindowOf(const LaneNumbers& offsets)
 
 constexpr LaneNumbers kWindow = WindowOf(kOffsets);
 
-/// Integral of the window from 0 to each distance, at most its radius.
 TILT_LENS_INLINED Floats WindowUpTo(const Floats& distance)
 {
     const Floats most = kWindowRadius - Floats(), limited = Max<Floats>(-most, Min<Floats>(most, distance));
     return limited - limited * limited * limited * (1.0f / (3.0f * kWindowRadius * kWindowRadius));
 }
 
-/// Difference between a row's end and begin, as distances from the middle of the sample's own pixel: the window's sum over the row.
+/// A row's sum of the window is the difference of this at its end and begin.
 TILT_LENS_INLINED Floats WindowSumUpTo(const Floats& distance)
 {
     constexpr float inverse = 1.0f / (kWindowRadius * kWindowRadius);
@@ -89,7 +86,7 @@ struct Extent
 struct CirclePixels
 {
     int begin[kLanes], end[kLanes], count = 0;
-    float windowOf[kLanes], windowed = 0.0f;  ///< sums of the window: along each row, over all pixels
+    float windowOf[kLanes], windowed = 0.0f;  ///< sums of the window over each row, and over all
     unsigned int rows = 0;  ///< one bit per row with pixels
     Extent across{}, down{};
 
@@ -104,7 +101,7 @@ struct CirclePixels
         rows &= (1u << kRows) - 1;
         for (int i = 0; i < kRows; i++)
             count += end[i] - begin[i];
-        Float4 sums{};  // in the same order for all vectors
+        Float4 sums{};
         for (int i = 0; i < kLanes; i += 4)
             sums += Load<Float4>(kWindow.of + i) * Load<Float4>(windowOf + i);
         windowed = (sums[0] + sums[1]) + (sums[2] + sums[3]);
@@ -116,14 +113,14 @@ struct CirclePixels
     TILT_LENS_INLINED void FindRows(int i, const CircleOfConfusion& circle, int column, float row, const BlurEllipse& ellipse)
     {
         const Floats none = Floats(), below = Load<Floats>(kOffsets.of + i) + row + 0.5f - circle.y;
-        const Floats open = 1.0f - below * below / ellipse.yy;  // remaining fraction of the squared half width
+        const Floats open = 1.0f - below * below / ellipse.yy;
         const Ints met = open > none;
         const Floats middle = circle.x + ellipse.lean * below - 0.5f,
                      half = SquareRoot(ellipse.determinant / ellipse.yy * (met ? open : none));
         const float left = float(column - kReach), right = float(column + kReach);
         const Floats least = Clamp(middle - half, left, right + 1.0f), most = Clamp(middle + half, left - 1.0f, right);
         Ints from = __builtin_convertvector(least, Ints), to = __builtin_convertvector(most, Ints);
-        // a true comparison is -1: round up, and down
+        // a true comparison is -1: rounds up, and down
         from -= __builtin_convertvector(from, Floats) < least;
         to += __builtin_convertvector(to, Floats) > most;
         const Ints first = from & met, last = Max<Ints>(to + 1, from) & met;
@@ -141,11 +138,11 @@ struct CirclePixels
     }
 };
 
-/// Densities of a lens other than the unit disc, at a circle's pixels, row by row.
+/// Densities of a lens other than the unit disc at a circle's pixels.
 struct Densities
 {
-    float of[kRows * kRows + kMostLanes];  ///< padding: read, not used
-    float sum = 0.0f;  ///< over the pixels, times the window
+    float of[kRows * kRows + kMostLanes];  ///< the padding is not used
+    float sum = 0.0f;
 
     void Find(const CircleOfConfusion& circle, const CirclePixels& pixels, int column, int row)
     {
@@ -218,7 +215,7 @@ TILT_LENS_INLINED void AddRow(Planes& planes, int first, const RowShares& shares
 TILT_LENS_INLINED void Send(Planes& planes, const CirclePixels& pixels, const float* density, float sum, const Float4& value, float weight,
                             int column, int row)
 {
-    LaneNumbers ofColumns, ofRows;  // shares: of columns relative to the sample's own, of rows absolute
+    LaneNumbers ofColumns, ofRows;  // shares of columns are relative to the sample's own
     pixels.across.FindSenders(column, planes.columns, ofColumns);
     pixels.down.FindSenders(row, planes.rows, ofRows);
     const float toColumn = ofColumns.of[kReach], toRow = ofRows.of[kReach];
@@ -228,7 +225,7 @@ TILT_LENS_INLINED void Send(Planes& planes, const CirclePixels& pixels, const fl
         Store(ofColumns.of + i, toColumn * window / Load<Floats>(ofColumns.of + i));
         Store(ofRows.of + i, toRow * window / (sum * Load<Floats>(ofRows.of + i)));
     }
-    LaneNumbers ofOthers = ofColumns;  // the sample's own pixel gets none
+    LaneNumbers ofOthers = ofColumns;
     ofOthers.of[kReach] = 0.0f;
     for (unsigned int rest = pixels.rows; rest != 0; rest &= rest - 1)
     {

@@ -10,7 +10,7 @@ namespace tilt_lens::TILT_LENS_VARIANT
 namespace
 {
 
-/// A squared length in between neither overflows nor underflows (else Length() scales).
+/// Squared lengths in between neither overflow nor underflow.
 constexpr double kLeastSquared = 1e-200, kGreatestSquared = 1e200;
 
 } // namespace

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file variant.h
-/// Each file here is compiled once per variant, with TILT_LENS_VARIANT, the namespace, and TILT_LENS_REGISTER, the bytes of a vector
+/// Each file here is compiled once per variant, with TILT_LENS_VARIANT, its namespace, and TILT_LENS_REGISTER, the bytes of a vector
 /// register.
 ///
-/// Rule, kept by the test `unit.kernel_symbols`: call no inline function of the library or the standard library that is not
-/// TILT_LENS_INLINED. The linker keeps any one of the variants' copies: AVX2 instructions would run on processors without them.
+/// Call no inline function that is not TILT_LENS_INLINED: the linker keeps any one of the variants' copies, perhaps one that a processor
+/// cannot run. The test `unit.kernel_symbols` checks this.
 
 #ifndef TILT_LENS_VARIANT_H
 #define TILT_LENS_VARIANT_H

@@ -53,7 +53,6 @@ GlassCamera::GlassCamera(std::shared_ptr<const SolvedLens> itsLens, const Apertu
     FillUnseen();
 }
 
-/// Behind the lens, upside down.
 void GlassCamera::PlaceFilm()
 {
     const double scale = -lens->filmDistance / (Dot(lens->direction, lens->axis) * lens->millimetre);
@@ -77,7 +76,7 @@ PupilNode GlassCamera::NodeAt(const FilmPoint& film, std::optional<PupilPoint>& 
     node.radial = view->bounds.radial;
     node.tangential = view->bounds.tangential;
     node.open = view->open / view->stop;
-    // the solid angle is projected on the lens's plane, against which the film is tilted
+    // the solid angle is projected on the lens's plane, not on the film
     if (const std::optional<GlassRay> ray = RayTowards(place, view->bounds.centre))
     {
         const Vec3 filmNormal{Dot(lens->axis, frame.axisX), Dot(lens->axis, frame.axisY), Dot(lens->axis, lens->normal)};
@@ -97,7 +96,7 @@ void GlassCamera::Tabulate()
     }
 }
 
-/// Gives dark entries the nearest lit one's ellipse: points between may be lit.
+/// Gives dark entries the nearest lit one's ellipse, since points between may be lit.
 void GlassCamera::FillUnseen()
 {
     const std::vector<PupilNode> found = nodes;
@@ -154,9 +153,8 @@ PupilNode GlassCamera::Between(const FilmPoint& film) const
 }
 
 /// Draws directions until one per film point passes.
-/// @param waiting     one bit per film point that needs a ray
-/// @param[out] drawn  rays that leave the lens
-/// @return            one bit per ray
+/// @param waiting  one bit per film point that needs a ray
+/// @return         one bit per ray
 unsigned int GlassCamera::DrawRays(const GlassLens& colour, const FourGlassPoints& points, const FourPupils& pupils, unsigned int waiting,
                                    FourGlassRays& drawn, std::uint32_t (&refused)[4]) const
 {

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file glass_camera.h
-/// Camera rays through a lens of glass, tilted, swung and shifted as a whole about its front principal point. Film points are the ideal
-/// lens's, moved along the lens's axis by the principal points' separation: plane of sharp focus, tilt, swing and shift agree to first
-/// order.
+/// Camera rays through a lens of glass, tilted, swung and shifted as a whole about its front principal point (docs/optics.md, "Through
+/// glass").
 ///
-/// Samples are uniform over the passing directions (pupil_view.h): drawn from tabulated ellipses around them, again if blocked. The open
-/// share is in the weight, so a uniform surface has no noise.
+/// Samples are uniform over the passing directions (pupil_view.h): drawn from tabulated ellipses around them, again if blocked. The weight
+/// contains the open share, so a uniform surface has no noise.
 
 #ifndef TILT_LENS_GLASS_CAMERA_H
 #define TILT_LENS_GLASS_CAMERA_H
@@ -40,8 +39,8 @@ struct GlassSample
 class GlassCamera
 {
   public:
-    /// @param lens      with glass.
-    /// @param aperture  uniform brightness, within the unit disc.
+    /// @param lens      with glass
+    /// @param aperture  uniform brightness, within the unit disc
     /// @param natural   share of the natural light fall-off, 0 to 1
     /// @throws std::invalid_argument  at most 1 per cent of the stop is open in the picture's middle
     GlassCamera(std::shared_ptr<const SolvedLens> lens, const Aperture& aperture, double natural);
@@ -60,10 +59,9 @@ class GlassCamera
 
     bool HasColours() const { return colours.has_value(); }
 
-    /// Through the centre of the film point's view; none if blocked.
+    /// None if blocked.
     std::optional<LensRay> MiddleRay(const FilmPoint& film) const;
 
-    /// Relative to the picture's centre.
     double Brightness(const FilmPoint& film) const;
 
     /// Share of the stop's light that passes the rims.

@@ -1,9 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// @file glass_film.h
-/// The film behind a lens of glass, and the table of its points' views: for one film point, or several side by side.
-
 #ifndef TILT_LENS_GLASS_FILM_H
 #define TILT_LENS_GLASS_FILM_H
 
@@ -25,7 +22,6 @@ struct FourGlassPoints
     unsigned int wanted;    ///< one bit per point that needs a sample, the lowest for the first
 };
 
-/// As in GlassSample and LensRay.
 struct FourGlassSamples
 {
     double origin[3][4], direction[3][4], w[4], weight[4];
@@ -50,8 +46,7 @@ struct PupilNode
     bool seen = false;
 };
 
-/// Entries per row and column; odd, so that one is the centre. Linear interpolation of the open share errs by 1/8 of its second
-/// derivative (up to 4 over the frame) over the squared number of steps: 1/2000.
+/// Entries per row and column; odd, so that one is the centre. Interpolating the open share errs by 1/2000.
 constexpr int kPupilTableSide = 33;
 
 template<class Vector>
@@ -118,7 +113,7 @@ struct GlassFilm
     template<class Number>
     TILT_LENS_INLINED LensRayOf<Number> ToWorld(const Number& x, const Number& y, const GlassRayOf<Number>& ray) const
     {
-        constexpr double leastAlong = 0.01;  // least axial component, which scales the direction
+        constexpr double leastAlong = 0.01;
         const VecOf<Number> origin = AlongAxes(ray.origin), direction = AlongAxes(ray.direction);
         const Number least = Number() + leastAlong, along = Dot(direction, Broadcast<Number>(lens->axis));
         const Number scale = Dot(lens->direction, lens->axis) / Max(along, least), unit = Number() + lens->millimetre;

@@ -4,8 +4,7 @@
 /// @file lens_camera.h
 /// A picture's camera: a thin lens or a lens of glass, with aperture and vignetting.
 ///
-/// The folder lens_camera/ joins the thin lens of camera/ and the lenses of glass/: it solves statements for either, and puts glass
-/// before a film.
+/// The folder lens_camera/ joins camera/ and glass/: it solves statements for either lens, and puts glass before a film.
 
 #ifndef TILT_LENS_LENS_CAMERA_H
 #define TILT_LENS_LENS_CAMERA_H
@@ -25,8 +24,8 @@ namespace tilt_lens
 class LensCamera
 {
   public:
-    /// @param character  only its vignetting: Solve() has applied the rest.
-    /// @param deflected  true if the renderer turns rays after the lens, as for a camera with `normal`.
+    /// @param character  only its vignetting: Solve() has applied the rest
+    /// @param deflected  true if the renderer turns rays after the lens, as for a camera with `normal`
     /// @throws OpticsError            a rim that leaves at most 1 per cent of the light in the picture's middle
     /// @throws std::invalid_argument  glass that does so
     LensCamera(std::shared_ptr<const SolvedLens> lens, const Aperture& aperture, const Character& character, bool deflected = false);
@@ -35,25 +34,24 @@ class LensCamera
     const Aperture& Opening() const { return aperture; }
     /// Null for a thin lens.
     const GlassCamera* Glass() const { return std::get_if<GlassCamera>(&kind); }
-    /// None for glass, whose rims are in its rays.
+    /// Not for glass, which has its own rims.
     const Vignetting& ThinVignetting() const;
 
     /// @name Uses of its rays
     /// @{
     /// True if a sample needs rays of several colours.
     bool HasColours() const;
-    /// True if chief rays differ from a pinhole camera's.
     bool BendsChiefRays() const { return lens->distorts || Glass() != nullptr; }
-    /// True if a sample may serve the pixels of its circle of confusion: the lens images planes onto planes, to scale, its whole
-    /// aperture is visible from everywhere, and the sample's ray is the lens's.
+    /// True if a sample may serve the pixels of its circle of confusion: the lens images planes onto planes, to scale, and its whole
+    /// aperture is visible from everywhere.
     bool CanSpread() const;
     bool CanAimAtEmitters() const { return !deflected && Glass() == nullptr; }
     /// @}
 
-    /// Separates the seeds (by PixelHash()) that redraw blocked samples from those that a ray draws from.
+    /// Separates the seeds that redraw blocked samples from those that a ray draws from.
     std::uint32_t SeedSalt() const { return Glass() != nullptr ? 0x476c61 : 0x52696d; }
 
-    /// Through the centre of the opening that the film point sees; none if blocked.
+    /// Ray through the centre of the visible opening; none if blocked.
     std::optional<LensRay> MiddleRay(const FilmPoint& film) const;
 
     /// Blur (optics.h) of a hit on the film point's chief ray.

@@ -14,7 +14,6 @@ namespace tilt_lens
 namespace
 {
 
-/// For measuring: narrow enough for any glass and rim.
 const double kNarrowStop = 1000.0;
 
 } // namespace

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sharp_points.h
-/// Aperture and blurs for `sharp_points`. The plane of sharp focus is the best for an ideal lens (sharp_plane.h); blurs and aperture are
-/// the real lens's, with distortion and field curvature.
+/// Aperture and blurs for `sharp_points`, of the real lens; the plane of sharp focus is the best for an ideal one (sharp_plane.h).
 
 #ifndef TILT_LENS_SHARP_POINTS_H
 #define TILT_LENS_SHARP_POINTS_H
@@ -21,20 +20,19 @@ inline constexpr int kFewestSharpPoints = 3, kMostSharpPoints = 100;
 /// No lens in air has less.
 inline constexpr double kWidestStop = 0.5;
 
-/// Smallest f-number, not below kWidestStop and no wider than the lens opens, that keeps all sharp points within `sharpWithin`. Other
-/// statements stay.
+/// Smallest f-number, not below kWidestStop and no wider than the lens opens, that keeps all sharp points within `sharpWithin`. Returns
+/// other statements unchanged.
 /// @throws OpticsError  as Solve()
 Statement WithWidestStop(const CameraFrame& camera, const Statement& given);
 
 /// Signed blur (optics.h) of each sharp point, mm on the film.
 /// @param location  of the lens centre, world
-/// @param lens      of the statement there
 std::vector<double> SharpPointBlurs(const Vec3& location, const Statement& given, const Lens& lens);
 
 double GreatestBlur(const std::vector<double>& blurs);
 
 /// Greatest blur of the sharp points, mm on the film, through the same lens at the same f-number, parallel to the film and focused best.
-/// None if it cannot focus so. No pinholes.
+/// None if it cannot focus so. Needs an aperture.
 std::optional<double> BlurWithoutTilt(const Vec3& location, const Statement& given, const Lens& lens);
 
 } // namespace tilt_lens

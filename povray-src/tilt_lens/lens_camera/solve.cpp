@@ -19,10 +19,10 @@ namespace tilt_lens
 namespace
 {
 
-/// Relative: an f-number of four digits counts as the glass's own.
+/// Relative tolerance: an f-number of four digits counts as the glass's own.
 constexpr double kSameFNumber = 1e-3;
 
-/// Least distance, mm, from a film corner to the last surface's vertex; negative: the film reaches into the glass.
+/// Least distance, mm, from a film corner to the last surface's vertex; negative if the film reaches into the glass.
 double RoomBehind(const Lens& lens, const CardinalPoints& points)
 {
     double least = HUGE_VAL;
@@ -35,16 +35,14 @@ double RoomBehind(const Lens& lens, const CardinalPoints& points)
     return least;
 }
 
-/// Position of the focusing groups for a film that stays.
 double GroupsOf(const CameraFrame& camera, const Statement& given)
 {
-    // with film_distance the film stays there, and the groups at infinity
+    // a stated film_distance leaves the groups at infinity
     if (!given.prescription || given.prescription->objectDistances.empty() || given.filmDistance)
         return 0.0;
     return StateFor(*given.prescription, [&](double focalLength) { return FilmVergence(camera, given, focalLength); });
 }
 
-/// Gives a solved thin lens its glass.
 /// @throws OpticsError  an aperture wider than the glass; a film within the glass
 void ApplyPrescription(SolvedLens& lens, const Statement& given)
 {

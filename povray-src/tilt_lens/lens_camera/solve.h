@@ -16,12 +16,12 @@ namespace tilt_lens
 
 class GlassLens;
 
-/// The glass is traced in the thin lens's place.
+/// The glass is traced in place of the thin lens.
 struct SolvedLens : Lens
 {
     std::shared_ptr<const GlassLens> glass;          ///< stopped down; null: thin lens
     double groups = 0.0;                             ///< position (inner_focus.h); 0: infinity
-    std::shared_ptr<const Prescription> dispersion;  ///< in this focus, for several wavelengths; null: one
+    std::shared_ptr<const Prescription> dispersion;  ///< in this focus; null: one wavelength
 
     SolvedLens() = default;
     SolvedLens(const Lens& thin) : Lens(thin) {}

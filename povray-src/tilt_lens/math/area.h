@@ -4,8 +4,7 @@
 /// @file area.h
 /// Rectangles of pixels.
 ///
-/// The folder math/ holds types and small functions that know neither lens nor film: vectors, colours, pixel rectangles and windows,
-/// vector registers, numbers in messages. It includes no other folder of the library.
+/// The folder math/ holds types and small functions that know neither lens nor film. It includes no other folder of the library.
 
 #ifndef TILT_LENS_AREA_H
 #define TILT_LENS_AREA_H
@@ -21,8 +20,8 @@ struct Area
 {
     std::uint32_t left, top, width, height;
 
-    std::uint32_t Right() const { return left + width; }  ///< first column outside
-    std::uint32_t Bottom() const { return top + height; }  ///< first row outside
+    std::uint32_t Right() const { return left + width; }
+    std::uint32_t Bottom() const { return top + height; }
     std::size_t Size() const { return std::size_t(width) * height; }
     bool Has(std::uint32_t x, std::uint32_t y) const { return x >= left && x < Right() && y >= top && y < Bottom(); }
     std::size_t IndexOf(std::uint32_t x, std::uint32_t y) const { return (y - top) * std::size_t(width) + (x - left); }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file kernels.h
-/// Functions worth vector registers of 32 bytes. The folder kernels/ is compiled twice: for every processor into the namespace `plain`,
-/// on x86 also for AVX2 into `avx2`. Both give the same results to the last bit.
+/// Functions that use vector registers. The folder kernels/ is compiled twice: for every processor into the namespace `plain`, on x86 also
+/// for AVX2 into `avx2`. Both give the same results to the last bit.
 
 #ifndef TILT_LENS_KERNELS_H
 #define TILT_LENS_KERNELS_H
@@ -39,7 +39,7 @@ struct Kernels
     /// @name Samples
     /// @{
 
-    /// A group's points, as PixelSampler gives them one by one.
+    /// Points of a group of samples.
     /// @param first  Sobol point of the group's first sample, bits reversed
     /// @param seeds  scrambling of each dimension
     void (*findPoints)(const std::uint32_t* first, const std::uint32_t* seeds, const GroupTable& steps, SequencePoints& points);
@@ -48,7 +48,7 @@ struct Kernels
     void (*findFilmPoints)(double column, double row, double width, double height, const Quads& quads, const SequencePoints& points,
                            CameraSamples& samples);
 
-    /// Adds a run's radiances to a sum and a sum of squares. Returns false, with nothing added, if any may be infinite or NaN.
+    /// Adds radiances to a sum and a sum of squares. Returns false, with nothing added, if any may be infinite or NaN.
     /// @param sum, squares  a Radiance's channels
     bool (*addRadiances)(const SampleResult* results, std::uint32_t count, double* sum, double* squares, double& greatestEmission);
     /// @}
@@ -68,7 +68,6 @@ struct Kernels
     unsigned int (*traceGlass)(const GlassSurface* begin, const GlassSurface* end, double stopScale, bool rims, FourGlassRays& rays,
                                FourStopPoints& stop);
 
-    /// Views of four film points, interpolated in the table.
     void (*findPupils)(const GlassFilm& film, const PupilNode* nodes, const FourGlassPoints& points, FourPupils& pupils);
 
     /// Rays from film points through points of their ellipses.
@@ -90,7 +89,6 @@ struct Kernels
     /// Means of all filters and spread estimates, weighted by risk.
     void (*filterBlock)(const FilterInput& input, const FilterOutput& output);
 
-    /// The spread estimates alone.
     void (*estimateSpread)(const FilterInput& input, const FilterOutput& output);
     /// @}
 };
@@ -107,7 +105,7 @@ extern const Kernels kKernels;
 }
 #endif
 
-/// The best for this processor, chosen at program start. Tests replace them.
+/// The best for this processor; tests replace them.
 extern const Kernels* kernels;
 
 } // namespace tilt_lens

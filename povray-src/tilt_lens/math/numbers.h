@@ -1,9 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// @file numbers.h
-/// Numbers in messages, and the tolerance for rounding.
-
 #ifndef TILT_LENS_NUMBERS_H
 #define TILT_LENS_NUMBERS_H
 
@@ -13,7 +10,7 @@
 namespace tilt_lens
 {
 
-/// Largest rounding error, relative to the operands, of a difference that ought to be 0.
+/// Largest relative rounding error of a difference that ought to be 0.
 inline constexpr double kRounding = 1e-14;
 
 /// Six significant digits.

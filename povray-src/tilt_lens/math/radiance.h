@@ -1,9 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// @file radiance.h
-/// Value of a sample or pixel, and operations for statistics.
-
 #ifndef TILT_LENS_RADIANCE_H
 #define TILT_LENS_RADIANCE_H
 
@@ -25,7 +22,7 @@ inline double Square(double x)
     return x * x;
 }
 
-/// result[c] = operation(result[c], value[c]), two channels at a time. Arguments may overlap, so the compiler cannot do so.
+/// result[c] = operation(result[c], value[c]), two channels at a time. Compilers cannot do so, since arguments may overlap.
 template<class Operation>
 inline void Combine(Radiance& result, const Radiance& value, const Operation& operation)
 {
@@ -69,12 +66,12 @@ inline bool IsNonZero(const Radiance& value)
     return nonZero;
 }
 
-/// The largest channel of variances or square errors, which are never negative.
 inline double MeanColour(const Radiance& value)
 {
     return (value[0] + value[1] + value[2]) / 3.0;
 }
 
+/// @param value  without negative channels, as variances
 inline double LargestChannel(const Radiance& value)
 {
     double largest = 0.0;
@@ -83,14 +80,12 @@ inline double LargestChannel(const Radiance& value)
     return largest;
 }
 
-/// Divisor that makes a variance relative: 1 up to white, the squared mean above, since eye and tone curves see bright pixels' errors
-/// relative to their brightness.
+/// Divisor that makes a variance relative: 1 up to white, the squared mean above, as eyes see errors of bright pixels.
 inline double SquaredScale(double mean)
 {
     return mean > 1.0 ? mean * mean : 1.0;
 }
 
-/// Each channel of a variance over SquaredScale() of its mean.
 inline Radiance RelativeTo(const Radiance& mean, Radiance variance)
 {
     for (std::size_t c = 0; c < variance.size(); c++)

@@ -4,9 +4,9 @@
 /// @file simd.h
 /// Vector registers of 16 and 32 bytes. Memory needs no alignment.
 ///
-/// Vectorised functions are compiled twice: for every processor with 16 bytes, and for AVX2 with 32. The camera's stand in kernels/;
-/// those that other files call for AVX2 are templates and always inlined. Multiplications and additions are never contracted, so both
-/// give the same results. A function that takes or returns a 32-byte register must be inlined: the two builds pass it differently.
+/// Vectorised functions are compiled twice, for every processor with 16 bytes and for AVX2 with 32: in kernels/, or as inlined templates.
+/// Multiplications and additions are never contracted, so both give the same results. A function that takes or returns a 32-byte register
+/// must be inlined: the two builds pass it differently.
 
 #ifndef TILT_LENS_SIMD_H
 #define TILT_LENS_SIMD_H
@@ -34,25 +34,23 @@ typedef decltype(Double4() < Double4()) LongMask4;
 template<class Vector>
 constexpr std::size_t kVectorWidth = sizeof(Vector) / sizeof(std::declval<Vector&>()[0]);
 
-/// Call only if HasAvx2(). Everything inlined into it is compiled for AVX2 as well.
+/// Call only if HasAvx2(). Functions inlined into it are compiled for AVX2 as well.
 #if defined(__x86_64__) || defined(__i386__)
 #define TILT_LENS_FOR_AVX2 __attribute__((target("avx2,bmi")))
 #else
 #define TILT_LENS_FOR_AVX2
 #endif
 
-/// Compiled anew inside each caller, for its kind of processor.
 #define TILT_LENS_INLINED inline __attribute__((always_inline))
 #define TILT_LENS_INLINED_LAMBDA __attribute__((always_inline))
 
-/// Inlined in files compiled for AVX2 as a whole. Callers in other files are not marked for AVX2, so the compiler cannot inline it there.
+/// Inlined in files compiled for AVX2 as a whole; elsewhere the compiler could not.
 #ifdef __AVX2__
 #define TILT_LENS_INLINED_FOR_AVX2 TILT_LENS_INLINED
 #else
 #define TILT_LENS_INLINED_FOR_AVX2 TILT_LENS_FOR_AVX2 inline
 #endif
 
-/// Costs two instructions: examined at program start.
 inline bool HasAvx2()
 {
 #if defined(__x86_64__) || defined(__i386__)
@@ -82,7 +80,7 @@ TILT_LENS_INLINED void Store(Number* to, const Vector& vector)
         std::memcpy(to, &vector, sizeof(vector));
 }
 
-/// bool for numbers, a mask of all bits for lanes.
+/// bool for numbers, a mask for registers.
 template<class Number>
 using MaskOf = decltype(std::declval<Number>() < std::declval<Number>());
 
@@ -107,7 +105,7 @@ TILT_LENS_INLINED Number Clamp(const Number& value, const Number& least, const N
     return value < least ? least : most < value ? most : value;
 }
 
-/// @name As in the standard library, but never functions of their own (kernels/variant.h).
+/// @name As in the standard library, but always inlined (kernels/variant.h).
 /// @{
 TILT_LENS_INLINED float SquareRoot(float value)
 {
@@ -135,7 +133,6 @@ TILT_LENS_INLINED Vector SquareRoot(Vector value)
     return value;
 }
 
-/// One bit per lane, for processors without the instruction.
 template<class Mask>
 TILT_LENS_INLINED unsigned int SignBitsOneByOne(const Mask& mask)
 {

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file vec3.h
-/// Three-dimensional vectors, so that the library can be built and tested without POV-Ray's headers. Frame and unit stand at a vector's
-/// declaration. Rays use doubles; the solver, run once per camera, a longer type.
+/// Three-dimensional vectors. Frame and unit stand at a vector's declaration. Rays use doubles; the solver uses a longer type.
 
 #ifndef TILT_LENS_VEC3_H
 #define TILT_LENS_VEC3_H
@@ -23,7 +22,7 @@ struct VecOf
     Number x{}, y{}, z{};
 };
 
-/// Not deduced from a factor: the vector decides the type.
+/// Prevents deduction from a factor: the vector decides the type.
 template<typename Number>
 using ScalarOf = typename VecOf<Number>::Scalar;
 

@@ -1,9 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// @file window.h
-/// Means over the square window around each pixel.
-
 #ifndef TILT_LENS_WINDOW_H
 #define TILT_LENS_WINDOW_H
 
@@ -15,7 +12,7 @@
 namespace tilt_lens
 {
 
-/// Pixels at most `kRadius` columns and rows away, clipped to the rectangle. Separable: rows first, then columns.
+/// Means over pixels at most `kRadius` columns and rows away, clipped to the rectangle.
 /// @tparam Value  starts as zero; needs AddTo(Value&, const Value&) and DivideBy(Value&, double)
 /// @param values  one per pixel, row by row
 template<int kRadius, class Value>

@@ -14,7 +14,7 @@ namespace
 constexpr int kSide = int(settings.blockSide);
 
 /// Copies a block's row into a padded block; `place` is -1 left of its middle block, 0, or 1 right of it. With `mirror`, the middle
-/// block's row replaces the neighbour's, mirrored.
+/// block's row replaces the neighbour's.
 void CopyRow(const float* from, int place, bool mirror, float* row)
 {
     constexpr int border = PaddedBlock::kBorder;
@@ -26,7 +26,7 @@ void CopyRow(const float* from, int place, bool mirror, float* row)
     else
         std::copy_n(place < 0 ? from + kSide - border : from, border, to);
     if (place > 0)
-        std::fill(to + border, row + PaddedBlock::kColumns, 0.0f);  // read, not used
+        std::fill(to + border, row + PaddedBlock::kColumns, 0.0f);
 }
 
 } // namespace
@@ -54,11 +54,10 @@ void BlockStatistics::RepeatEdges(std::uint32_t width, std::uint32_t height)
 
 PaddedBlock::PaddedBlock(const std::array<const BlockStatistics*, 9>& blocks)
 {
-    constexpr int begin[] = {-kBorder, 0, kSide, kSide + kBorder};  // rows of blocks
+    constexpr int begin[] = {-kBorder, 0, kSide, kSide + kBorder};
     for (int i = 0; i < 9; i++)
     {
         const int row = i / 3, column = i % 3;
-        // the neighbour, or the nearest known block
         const bool sameRow = blocks[row * 3 + 1] != nullptr, sameColumn = blocks[3 + column] != nullptr;
         const bool mirrorX = blocks[i] == nullptr && (sameRow || !sameColumn);
         const bool mirrorY = blocks[i] == nullptr && !sameRow;

@@ -3,7 +3,7 @@
 
 /// @file block_statistics.h
 /// Input of the reconstruction: statistics of a block's and surrounding pixels, one plane per number. To add a number, add a name to
-/// BlockStatistics::Plane; edges, borders and copies follow.
+/// BlockStatistics::Plane.
 
 #ifndef TILT_LENS_BLOCK_STATISTICS_H
 #define TILT_LENS_BLOCK_STATISTICS_H
@@ -18,24 +18,22 @@
 namespace tilt_lens
 {
 
-/// One value per pixel, row by row.
 using BlockPlane = std::array<float, settings.blockSide * settings.blockSide>;
 
-/// The outermost pixels repeat beyond the picture's edge.
 class BlockStatistics
 {
   public:
-    /// Five channels of the mean, ordered as in Radiance, and single numbers.
     enum Plane
     {
-        kMean = 0,                  ///< five channels
+        kMean = 0,
         kNoise = 5,    ///< estimated variance of the mean, summed over the channels
-        kMissed = 6,   ///< noise seen only by other pixels' samples, fraction [0, 1]
+        kMissed = 6,   ///< fraction of the noise that only other pixels' samples show
         kSamples = 7,
         kPlanes
     };
 
     void Set(std::uint32_t x, std::uint32_t y, const Radiance& mean, double noise, double missed, std::uint32_t samples);
+    /// Repeats the outermost pixels beyond the picture's edge.
     /// @param width, height  of the area that was Set
     void RepeatEdges(std::uint32_t width, std::uint32_t height);
 
@@ -50,17 +48,16 @@ class BlockStatistics
     bool transparent = false;
 };
 
-/// With a border as wide as filters and their risks reach.
+/// Has a border as wide as filters and their risks reach.
 class PaddedBlock
 {
   public:
     static constexpr int kBorder = settings.filterRadius + settings.riskRadius;
     static constexpr int kRows = int(settings.blockSide) + 2 * kBorder;
-    static constexpr int kColumns = (kRows + 3) / 4 * 4;  ///< kRows, rounded up to whole vector registers
+    static constexpr int kColumns = (kRows + 3) / 4 * 4;  ///< rounded up to whole vector registers
 
     using Plane = std::array<float, kRows * kColumns>;
 
-    /// Index in a Plane of pixel (x, y), relative to the block's first pixel, -kBorder <= x, y < blockSide + kBorder.
     TILT_LENS_INLINED static constexpr int At(int x, int y) { return (y + kBorder) * kColumns + x + kBorder; }
 
     /// @param blocks  the block and its eight neighbours, row by row. For null (outside the picture or unknown) the nearest block is

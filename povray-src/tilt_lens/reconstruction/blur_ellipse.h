@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file blur_ellipse.h
-/// Shape of a circle of confusion (spread.h).
+/// Shape of a circle of confusion (spread.h), as a matrix in squared pixels.
 
 #ifndef TILT_LENS_BLUR_ELLIPSE_H
 #define TILT_LENS_BLUR_ELLIPSE_H
@@ -13,7 +13,6 @@
 namespace tilt_lens
 {
 
-/// Matrix in squared pixels.
 struct BlurEllipse
 {
     float xx = 0.0f, yy = 0.0f, lean = 0.0f, determinant = 0.0f;

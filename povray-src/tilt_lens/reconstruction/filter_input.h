@@ -10,7 +10,6 @@
 namespace tilt_lens
 {
 
-/// Planes of a PaddedSpread.
 struct SpreadInput
 {
     const float *mean[3], *variance, *share, *samples, *ownShare;
@@ -25,7 +24,6 @@ struct FilterInput
     const SpreadInput* spread;  ///< null: none
 };
 
-/// Planes of a ReconstructedBlock.
 struct FilterOutput
 {
     float *mean[5], *residualVarianceRatio;

@@ -34,7 +34,6 @@ constexpr float kTaps[kFilters][settings.filterRadius + 1] = {
     {1.0f / 9, 1.0f / 9, 1.0f / 9, 1.0f / 9, 1.0f / 9},
 };
 
-/// First along rows, then along columns or diagonals.
 struct FilterPair
 {
     Filter across, down;
@@ -52,8 +51,7 @@ constexpr FilterPair kBank[] = {
 };
 // clang-format on
 
-/// Steps of 1 (a row), PaddedBlock::kColumns (a column), or one more or less (a diagonal). Plain loops over such short rows take three
-/// times as long.
+/// @param step  1 (a row), PaddedBlock::kColumns (a column), or one more or less (a diagonal)
 template<class Vector, Filter kFilter>
 TILT_LENS_INLINED Vector Filtered(const float* at, int step)
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file padded_spread.h
-/// Spread samples received by a block's pixels and its border: docs/sampling.md, section 5.
+/// Spread samples received by a block's pixels and its border, without the pixels' own: docs/sampling.md, section 5.
 
 #ifndef TILT_LENS_PADDED_SPREAD_H
 #define TILT_LENS_PADDED_SPREAD_H
@@ -17,7 +17,6 @@
 namespace tilt_lens
 {
 
-/// Spread estimates before the pixels' own samples are added.
 class PaddedSpread
 {
   public:
@@ -25,17 +24,16 @@ class PaddedSpread
 
     using Sent = std::array<const SpreadSums*, 9>;
 
-    /// @param sent  samples spread by the block, in the middle, and its eight neighbours, row by row; null: none
-    /// @param weight  sum of a pixel's sample weights: samples of the block's first round. Neighbours' sums are scaled to it, since a
-    ///                surface is not brighter where more rays have hit it.
-    /// @return null if nothing was spread
+    /// @param sent    samples spread by the block, in the middle, and its eight neighbours, row by row; null: none
+    /// @param weight  sum of a pixel's sample weights; neighbours' sums are scaled to it
+    /// @return        null if nothing was spread
     static std::shared_ptr<const PaddedSpread> Of(const Sent& sent, std::uint32_t weight);
 
     std::array<Plane, 3> mean;  ///< of received samples; 0: none
     Plane variance;  ///< of one received sample, summed over the channels
     Plane share;  ///< sum of received shares times weights
-    Plane samples;  ///< received: equal shares whose mean has as much noise
-    Plane ownShare;  ///< that a sample of the pixel keeps for it, mean, [0, 1]
+    Plane samples;  ///< number of received samples, as if all had equal shares
+    Plane ownShare;  ///< mean share that a sample of the pixel keeps for it
 
   private:
     using Received = std::array<Plane, SpreadSums::kSums>;

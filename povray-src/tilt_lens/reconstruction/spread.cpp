@@ -14,7 +14,7 @@ namespace tilt_lens
 LensFootprint::LensFootprint(const Lens& lens, const Aperture& aperture, double width, double height) :
     width(width), height(height), boundingRadius(float(aperture.BoundingRadius())), isDisc(aperture.IsDisc())
 {
-    // along vectors perpendicular to the other axes, since right and up need not be perpendicular
+    // right and up need not be perpendicular
     const Vec3 rightAlone = Cross(lens.up, lens.axis), upAlone = Cross(lens.axis, lens.right);
     const auto axis = [&](const Vec3& of)
     {
@@ -51,7 +51,6 @@ CircleOfConfusion LensFootprint::CircleOf(const FilmPoint& film, const ApertureP
     const double depth = 1.0 + vergence * (point.a * axisA.depth + point.b * axisB.depth);
     const double x = (film.x + vergence * (point.a * axisA.x + point.b * axisB.x)) / depth;
     const double y = (film.y + vergence * (point.a * axisA.y + point.b * axisB.y)) / depth;
-    // for the ray through the lens centre
     const double central = vergence * (1.0 - point.a * axisA.focus - point.b * axisB.focus) / depth;
     const double across = width * central, down = -height * central;
     return {float((x + 0.5) * width),

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file spread.h
-/// Spreads each sample over its circle of confusion, whose pixels all see the hit point: docs/sampling.md, section 5, with sources.
-/// Received radiance over received shares is a pixel's spread estimate S. It ignores occlusion, so it is one candidate of the
-/// reconstruction.
+/// Spreads each sample over its circle of confusion, whose pixels all see the hit point: docs/sampling.md, section 5, with sources. A
+/// pixel's received radiance over its received shares is its spread estimate S, which ignores occlusion.
 
 #ifndef TILT_LENS_SPREAD_H
 #define TILT_LENS_SPREAD_H
@@ -26,11 +25,11 @@ namespace tilt_lens
 
 class LensFootprint;
 
-/// The pixels that see a point through the lens, to first order: the pixel at (`x`, `y`) - M (a, b) sees it through the lens point (a,
-/// b), in aperture coordinates. Pixels to the right and down.
+/// The pixels that see a point, to first order: the pixel at (`x`, `y`) - M (a, b) sees it through the lens point (a, b), in aperture
+/// coordinates. Frame: pixels to the right and down.
 struct CircleOfConfusion
 {
-    float x = 0.0f, y = 0.0f;  ///< the point in the pinhole picture
+    float x = 0.0f, y = 0.0f;  ///< the point's place in the pinhole picture
     float xa = 0.0f, xb = 0.0f, ya = 0.0f, yb = 0.0f;  ///< M, row by row
     const LensFootprint* lens = nullptr;  ///< null: serves its own pixel alone
 };
@@ -48,14 +47,14 @@ class LensFootprint
     /// @param width, height  of the whole picture, pixels
     LensFootprint(const Lens& lens, const Aperture& aperture, double width, double height);
 
-    /// @param point  lens point of the ray
+    /// @param point     lens point of the ray
     /// @param vergence  1/T - w, with the hit's ray parameter T, and w as in MakeRay
     CircleOfConfusion CircleOf(const FilmPoint& film, const AperturePoint& point, double vergence) const;
 
     /// In aperture coordinates.
     TILT_LENS_INLINED float BoundingRadius() const { return boundingRadius; }
     TILT_LENS_INLINED bool IsDisc() const { return isDisc; }
-    /// Relative brightness at `count` points of another aperture.
+    /// Relative brightness at `count` points.
     void FindDensities(const AperturePoints& first, const AperturePoints& step, int count, float* densities) const;
 
   private:
@@ -85,11 +84,10 @@ struct SpreadPlanes
     /// Greatest spread along rows and columns, pixels.
     static constexpr int kReach = settings.spreadReach;
     static constexpr int kSide = int(settings.blockSide) + 2 * kReach;
-    /// Pixels per widest vector.
     static constexpr int kMostLanes = sizeof(Float8) / sizeof(float);
 
-    /// Sums of shares times weights, multiplied by red, green, blue, 1, and the squared colour summed over the channels; last, the
-    /// sum of their squares.
+    /// Sums of shares times weights, multiplied by red, green, blue, 1, and the squared colour summed over the channels; last, the sum of
+    /// their squares.
     enum Sum
     {
         kRed,
@@ -127,21 +125,20 @@ class SpreadSums : private SpreadPlanes
     SpreadSums(const Area& block, double width, double height);
 
     /// @param column, row  of the sample's pixel in the block
-    /// @param circle  centre relative to the block's upper left corner
-    /// @param weight  every pixel's weights have the same sum: a surface is not brighter where more rays have hit it
+    /// @param circle       centre relative to the block's upper left corner
+    /// @param weight       every pixel's weights have the same sum: a surface is not brighter where more rays have hit it
     void Add(int column, int row, const CircleOfConfusion& circle, const Radiance& radiance, float weight = 1.0f);
-    /// Adds samples that serve their own pixel alone.
     void AddSharp(int column, int row, float weight);
 
     /// Received by pixel (x, y), -kReach <= x, y < blockSide + kReach, and the pixels to its right.
     const float* From(Sum sum, int x, int y) const { return &sums[sum][PlaceOf(x, y)]; }
-    /// Sum of the shares times weights that a pixel's samples kept for it; sum of these weights.
+    /// Sum of the shares times weights that a pixel's samples kept for it.
     float OwnShare(int x, int y) const { return own[y * int(settings.blockSide) + x].share; }
     float OwnWeight(int x, int y) const { return own[y * int(settings.blockSide) + x].weight; }
     float PixelWeight() const { return own[0].weight; }
     bool IsSpread() const { return spread; }
 };
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
 
 #endif

@@ -22,7 +22,7 @@ namespace tilt_lens
 namespace
 {
 
-std::mutex sceneFilesMutex; // photons are loaded while the parser runs
+std::mutex sceneFilesMutex;
 std::vector<std::string> sceneFiles;
 
 void List(const std::string& entry)
@@ -38,7 +38,7 @@ void List(const std::string& entry)
         return;
 
     std::ofstream stream(list, std::ios::app | std::ios::binary);
-    stream.write(entry.c_str(), static_cast<std::streamsize>(entry.size() + 1)); // including the zero byte
+    stream.write(entry.c_str(), static_cast<std::streamsize>(entry.size() + 1));
     stream.close();
     if (!stream)
     {

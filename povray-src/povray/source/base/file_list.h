@@ -16,7 +16,7 @@
 namespace tilt_lens
 {
 
-/// Failure to write the list ends the render: an incomplete list is worse than none.
+/// Ends the render if the list cannot be written.
 void ListFile(const std::string& name, bool found);
 
 void ListPicture(const std::string& name);
@@ -24,7 +24,6 @@ void ListPicture(const std::string& name);
 /// Call when parsing of a scene begins.
 void StartSceneFiles();
 
-/// Each once, in order.
 std::vector<std::string> SceneFiles();
 
 } // namespace tilt_lens

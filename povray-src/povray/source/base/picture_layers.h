@@ -3,8 +3,8 @@
 
 /// @file picture_layers.h
 /// Messages from renderer to front end for `Output_Layers`, of the class kPOVMsgClass_ViewImage:
-/// - kPOVMsgIdent_Layers, one per tile: rectangle, layer names, and values, layer by layer. Sent before the tile's colours and kept with
-///   them in the state file, for tiles that a continued render does not repeat.
+/// - kPOVMsgIdent_Layers, one per tile: rectangle, layer names, and values, layer by layer. Sent before the tile's colours, and kept in
+///   the state file.
 /// - kPOVMsgIdent_LayerAttributes, one per render: the camera's numbers, for the file's header.
 
 #ifndef POVRAY_BASE_PICTURE_LAYERS_H

@@ -55,7 +55,7 @@ shared_ptr<LayerPicture> LayerPicture::Create(POVMS_Object& options)
     const Path path = LayersBeside(Path(options.TryGetUCS2String(kPOVAttrib_OutputFile, "")));
     if (POV_ALLOW_FILE_WRITE(path().c_str(), POV_File_Image_EXR) == false)
         throw POV_EXCEPTION(kCannotOpenFileErr, "IO Restrictions prohibit write access to '" + Text(path) + "'");
-    // an older file could pass for this render's after an interruption
+    // after an interruption, an older file could pass for this render's
     if (!options.TryGetBool(kPOVAttrib_ContinueTrace, false))
         POV_UCS2_REMOVE(path().c_str());
     return shared_ptr<LayerPicture>(

@@ -29,10 +29,10 @@ class LayerPicture
     /// @throws pov_base::Exception  I/O restrictions forbid the file
     static shared_ptr<LayerPicture> Create(POVMS_Object& options);
 
-    /// One or two sentences about the layer options, or empty.
+    /// Sentences about the layer options, or empty.
     static std::string Problem(POVMS_Object& options);
 
-    /// Warning about 32-bit colours in a file type that cannot hold them; or empty.
+    /// Warning about 32-bit colours in a file type that cannot hold them, or empty.
     static std::string Remark(POVMS_Object& options);
 
     /// Handles layers in a kPOVMsgClass_ViewImage message, and keeps a tile's in the state file.

@@ -41,7 +41,6 @@ struct Option
     POVMSType key, type;
 };
 
-/// Options that change pixels or the numbering of tiles.
 const Option kOptions[] = {
     {"Width", kPOVAttrib_Width, kPOVMSType_Int},
     {"Height", kPOVAttrib_Height, kPOVMSType_Int},
@@ -94,7 +93,7 @@ std::string Value(POVMS_Object& options, const Option& option)
     }
 }
 
-/// From command line and animation, such as frame_number, one per line, sorted.
+/// Declarations of command line and animation, one per line, sorted.
 std::string Declared(POVMS_Object& options)
 {
     std::vector<std::string> lines;
@@ -118,8 +117,7 @@ std::string Declared(POVMS_Object& options)
     return text;
 }
 
-/// Hexadecimal 64-bit FNV-1a (Fowler, Noll, Vo): detects changes, not attacks. "unknown" for a pipe or device, which cannot be read
-/// twice.
+/// Hexadecimal 64-bit FNV-1a (Fowler, Noll, Vo). "unknown" for a pipe or device, which cannot be read twice.
 std::string Hash(const std::string& name)
 {
     std::error_code ignored;
@@ -181,7 +179,7 @@ std::string Difference(const std::string& before, const std::string& now)
     return "its files were read in another order";
 }
 
-/// True if tiles of one picture lie inside the other; POV-Ray asserts it.
+/// True if tiles of one picture lie inside the other.
 bool Fits(const std::string& before, const std::string& now)
 {
     const std::vector<Line> old = Lines(before), present = Lines(now);
@@ -208,7 +206,6 @@ struct Start
 
 const Start kEmpty = {Start::kNothing, ""}, kForeign = {Start::kNoState, ""};
 
-/// Reads the first message behind the header.
 Start ReadKey(IStream& stream, POV_LONG length)
 {
     const POV_LONG begin = sizeof(Backup_File_Header), least = 20;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file state_key.h
-/// The key of a state file, from which `+C` continues, identifies the render of its tiles. It is the file's first message: text, one
-/// `name=value` per line: the program, options that change pixels or the numbering of tiles, and a hash of each file read while parsing.
+/// The key of a state file, from which `+C` continues: text, one `name=value` per line, with the program, options that change pixels or
+/// the numbering of tiles, and a hash of each file read while parsing. It is the file's first message.
 
 #ifndef POVRAY_FRONTEND_STATE_KEY_H
 #define POVRAY_FRONTEND_STATE_KEY_H

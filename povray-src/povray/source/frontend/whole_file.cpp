@@ -57,9 +57,9 @@ WholeFile::WholeFile(const UCS2String& filename) : target(pov_base::UCS2toASCIIS
 {
     if (!IsStandardStream(target))
         target = Resolved(target);
-    // one name per process: two may write the same picture
+    // includes the process, since two may write the same picture
     place = IsStandardStream(target) || !MayBeReplaced(target) ? target : target + "." + std::to_string(getpid()) + ".part";
-    errno = 0;  // later errors concern the writing
+    errno = 0;
 }
 
 WholeFile::~WholeFile()

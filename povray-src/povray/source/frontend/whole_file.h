@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file whole_file.h
-/// Writes a file beside its place and renames it when complete. A full disk or a killed program leaves no truncated file, and keeps an
-/// older file of that name.
+/// Writes a file beside its place and renames it when complete, so that no failure leaves a truncated file.
 
 #ifndef POVRAY_FRONTEND_WHOLE_FILE_H
 #define POVRAY_FRONTEND_WHOLE_FILE_H
@@ -30,7 +29,7 @@ class WholeFile
     WholeFile(const WholeFile&) = delete;
     WholeFile& operator=(const WholeFile&) = delete;
 
-    /// For writing: the final name if it is no regular file (standard output, a device) or in a read-only folder.
+    /// Name for writing: the final one if it is no regular file (standard output, a device) or in a read-only folder.
     pov_base::UCS2String Place() const;
 
     /// @throws pov_base::Exception  incompletely written
@@ -43,7 +42,6 @@ class WholeFile
     bool finished = false;
 };
 
-/// `-`, `stdout` and `stderr`, in any case.
 bool IsStandardStream(const std::string& name);
 
 /// Closes and removes a finished picture's state file; `file` may be null.

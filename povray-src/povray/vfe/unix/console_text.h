@@ -1,16 +1,13 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// @file console_text.h
-/// Additions to upstream's console output.
-
 #ifndef POVRAY_VFE_UNIX_CONSOLE_TEXT_H
 #define POVRAY_VFE_UNIX_CONSOLE_TEXT_H
 
 namespace vfePlatform
 {
 
-/// Section of `--help` for our options, with the blank line before it.
+/// Section of `--help` for our options.
 const char* OwnOptionsHelp();
 
 } // namespace vfePlatform

@@ -31,7 +31,7 @@ Folder::Folder(const char* relative) : mPath((Prefix() / relative).string()) {}
 const char* Folder::operator/(const char* tail) const
 {
     static std::mutex mutex;
-    static std::set<std::string> names; // a set never moves its elements
+    static std::set<std::string> names;
     const std::lock_guard<std::mutex> lock(mutex);
     return names.insert(mPath + tail).first->c_str();
 }

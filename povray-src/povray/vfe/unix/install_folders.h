@@ -3,7 +3,7 @@
 
 /// @file
 /// The installation's folders, relative to the program's place at run time, so that a moved program finds its files. Replaces upstream's
-/// string literals POVLIBDIR and POVCONFDIR by expressions of type `const char*` that also work before a literal such as "/include".
+/// string literals POVLIBDIR and POVCONFDIR.
 
 #ifndef POVRAY_TILT_LENS_INSTALL_FOLDERS_H
 #define POVRAY_TILT_LENS_INSTALL_FOLDERS_H
@@ -33,7 +33,7 @@ const Folder& ConfigFolder();
 
 } // namespace povray_install
 
-// the empty literal concatenates with a literal behind the macro
+// allows for a literal behind the macro
 #define POVLIBDIR ::povray_install::DataFolder() / ""
 #define POVCONFDIR ::povray_install::ConfigFolder() / ""
 

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file allocator.cpp
-/// Allocates by jemalloc, in huge pages if the system has them, since parser and picture touch many megabytes for the first time.
-/// Figures: docs/notebook.md, section on the cost of reading a scene.
+/// Allocates by jemalloc, in huge pages if the system has them. Figures: docs/notebook.md, section on the cost of reading a scene.
 
 /// Read by jemalloc before main; see jemalloc(3).
 extern "C" const char* malloc_conf;

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file photon_order.h
-/// Makes photon maps independent of threads. Any free thread shoots the photons of a light and a target (Trace::BeginPhotons); tree and
-/// sums of light depend on their order.
+/// Makes photon maps independent of threads, whose order their tree and sums of light depend on.
 
 #ifndef POVRAY_BACKEND_PHOTON_ORDER_H
 #define POVRAY_BACKEND_PHOTON_ORDER_H

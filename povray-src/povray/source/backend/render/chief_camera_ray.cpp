@@ -18,7 +18,6 @@ namespace pov
 
 bool MakeChiefRay(TracePixel& trace, Ray& ray, DBL x, DBL y, DBL width, DBL height)
 {
-    // POV-Ray's own focal blur must not jitter the ray
     const bool blurs = trace.useFocalBlur;
     trace.useFocalBlur = false;
     const bool made = trace.CreateCameraRay(ray, x, y, width, height, 0);

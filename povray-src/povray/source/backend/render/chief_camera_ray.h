@@ -17,8 +17,8 @@ class Camera;
 class Ray;
 class TracePixel;
 
-/// Through a pixel's centre: POV-Ray's own, unless the lens distorts or is of glass.
-/// @return  false: none
+/// Chief ray through a pixel's centre.
+/// @return  false if there is none
 bool MakeChiefRay(TracePixel& trace, Ray& ray, DBL x, DBL y, DBL width, DBL height);
 
 /// Distance along a unit ray to the first visible surface, or HUGE_VAL.

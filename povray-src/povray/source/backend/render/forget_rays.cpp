@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file forget_rays.cpp
-/// Clears caches that may change the next ray's result: pixels with `tilt_lens` depend on the scene alone. Samples seed the random
-/// numbers.
+/// Clears caches that may change the next ray's result, and seeds random numbers by sample: pixels with `tilt_lens` depend on the scene
+/// alone.
 
 #include <algorithm>
 
@@ -26,7 +26,7 @@ void Trace::ForgetRays()
         std::fill(lightSourceOtherShadowCache.begin(), lightSourceOtherShadowCache.end(), ObjectPtr(NULL));
         shadowCacheUsed = false;
     }
-    // a ray beside one that missed an isosurface is assumed to miss it; false if max_gradient is too small
+    // a ray beside one that missed an isosurface is assumed to miss it
     threadData->isosurfaceData->cache = false;
     // `facets` recognises points of the last cell by a hash alone
     threadData->Facets_Last_Seed = int(0x80000000);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file light_path.h
-/// Length of a camera ray's path through flat mirrors and panes. These preserve vergences: a mirrored lamp is blurred as at the path's
-/// end. Curved surfaces change them, so the path ends there.
+/// Length of a camera ray's path through flat mirrors and panes, which preserve vergences: a mirrored lamp is blurred as at the path's
+/// end. The path ends at curved surfaces.
 
 #ifndef TILT_LENS_LIGHT_PATH_H
 #define TILT_LENS_LIGHT_PATH_H

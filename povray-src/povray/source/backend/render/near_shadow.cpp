@@ -3,7 +3,7 @@
 
 /// @file near_shadow.cpp
 /// Shadows near their casters. POV-Ray ignores objects nearer than 0.001 units to a shaded point, except the cached last occluder.
-/// Pictures with `tilt_lens` have no such cache (forget_rays.cpp), and test all objects that it could hold.
+/// Pictures with `tilt_lens` have no such cache, and test all objects that it could hold.
 
 #include <algorithm>
 

@@ -31,7 +31,6 @@ class LayerBlock
   public:
     explicit LayerBlock(size_t itsArea) : area(itsArea) {}
 
-    /// @return  its index
     size_t Add(const char* name)
     {
         names.push_back(name);

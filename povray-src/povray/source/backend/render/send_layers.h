@@ -1,9 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// @file send_layers.h
-/// The renderer's part of `Output_Layers`; see base/picture_layers.h.
-
 #ifndef POVRAY_BACKEND_SEND_LAYERS_H
 #define POVRAY_BACKEND_SEND_LAYERS_H
 
@@ -24,11 +21,10 @@ struct TiltLensEffort
     double variance;  ///< see TileSampler::Variance()
 };
 
-/// Sends the camera's numbers to the front end, if layers are wanted.
+/// Sends the camera's numbers to the front end, if layers are wanted (base/picture_layers.h).
 void StartLayers(ViewData& view, POVMS_Object& options);
 
-/// Sends first hits through pixel centres, and effort, if layers are wanted. Call before the tile's colours are sent, so that a tile in
-/// the state file has its layers.
+/// Sends first hits through pixel centres, and effort, if layers are wanted. Call before the tile's colours are sent.
 /// @param effort  row by row; empty for a tile that was not sampled
 void SendLayers(TracePixel& trace, ViewData& view, const POVRect& rect, const std::vector<TiltLensEffort>& effort = {});
 

@@ -131,7 +131,7 @@ void TiltLensTracer::EnterInteriors(Ray& ray) const
     }
 }
 
-/// Not in the constructor, which runs before that of media.
+/// Called after the constructor, which runs before that of media.
 void TiltLensTracer::LeadGenerators()
 {
     trace.crandSeeds.Follow(*this);
@@ -140,10 +140,10 @@ void TiltLensTracer::LeadGenerators()
         ofMedia->seeds.Follow(*this);
 }
 
-/// One sequence per recursion level, so that the sample determines their first numbers. Trace would create them when needed.
+/// One sequence per recursion level, so that the sample determines their first numbers.
 void TiltLensTracer::SeedSubsurface(unsigned int seed)
 {
-    const size_t levels = 3, length = 32767;  // sizes as in Trace
+    const size_t levels = 3, length = 32767;
     while (trace.ssltUniformDirectionGenerator.size() < levels)
         trace.ssltUniformDirectionGenerator.push_back(GetSubRandomDirectionGenerator(0, length));
     while (trace.ssltUniformNumberGenerator.size() < levels)
@@ -165,7 +165,7 @@ void TiltLensTracer::TracePreview(DBL x, DBL y, DBL width, DBL height, Colour& c
     }
     const tilt_lens::SamplingLimits& limits = view->camera.limits;
     const unsigned int count = trace.pretrace ? 1 : std::min(limits.min, limits.max);
-    // pretrace positions lie between pixels and, at the picture's edge, outside
+    // pretrace positions may lie outside the picture
     tilt_lens::SampleId id{(unsigned int)std::max(0.0, x), (unsigned int)std::max(0.0, y), 0};
     for (; id.index < count; id.index++)
     {

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file tilt_lens_tracer.h
-/// Bridge from the camera library to POV-Ray's tracing: follows camera rays to their hits. A friend of TracePixel, since tracing needs
-/// private members.
+/// Bridge from the camera library to POV-Ray's tracing. A friend of TracePixel, since tracing needs private members.
 
 #ifndef POVRAY_BACKEND_TILT_LENS_TRACER_H
 #define POVRAY_BACKEND_TILT_LENS_TRACER_H
@@ -30,8 +29,8 @@ inline Colour ToColour(const tilt_lens::Radiance& v)
 class TiltLensTracer : private SampleSeedSource, private tilt_lens::RayTracer
 {
   public:
-    /// @return  NULL without a lens with an aperture
     /// @param owner  must outlive the result
+    /// @return       NULL without a lens with an aperture
     static shared_ptr<TiltLensTracer> Create(TracePixel& owner, const shared_ptr<TiltLensView>& view);
 
     /// @return  NULL: none
@@ -41,7 +40,7 @@ class TiltLensTracer : private SampleSeedSource, private tilt_lens::RayTracer
     tilt_lens::SampleTracer samples;
     AreaLightSampler areaLights;
 
-    /// A few samples of a pixel for a preview, one for a radiosity pretrace.
+    /// Takes a few samples of a pixel for a preview, one for a radiosity pretrace.
     void TracePreview(DBL x, DBL y, DBL width, DBL height, Colour& colour);
 
     /// Follows one ray of a pixel, with whole grids of area lights.
@@ -53,8 +52,8 @@ class TiltLensTracer : private SampleSeedSource, private tilt_lens::RayTracer
 
   private:
     TracePixel& trace;
-    tilt_lens::SampleTracer plainSamples;  ///< previews
-    const bool interiorsVary;  ///< lens partly inside an object: rays start in different interiors
+    tilt_lens::SampleTracer plainSamples;
+    const bool interiorsVary;  ///< true if rays start in different objects' interiors
 
     const tilt_lens::PixelSampler* pixel = NULL;
     unsigned int index = 0;

@@ -38,7 +38,7 @@ struct RecordedCamera
     TiltLensPlace end;
 };
 
-/// Camera statements of this run. Never destroyed: objects that they refer to may be destroyed before.
+/// Never destroyed, since objects that the cameras refer to may be destroyed before.
 std::vector<RecordedCamera>& Recorded()
 {
     static std::vector<RecordedCamera>& cameras = *new std::vector<RecordedCamera>;
@@ -62,7 +62,6 @@ std::string Vector(const Vec3& v)
     return "[" + Number(v.x) + ", " + Number(v.y) + ", " + Number(v.z) + "]";
 }
 
-/// Row by row, for row vectors.
 std::string Matrix(const MATRIX& m)
 {
     std::string text;
@@ -81,7 +80,6 @@ const char* Truth(bool value)
     return value ? "true" : "false";
 }
 
-/// JSON string, ASCII.
 std::string Text(const UCS2String& name)
 {
     std::ostringstream text;
@@ -134,7 +132,7 @@ std::string Words(const std::set<std::string>& words)
     return "[" + text + "]";
 }
 
-/// A solved camera's: a point or plane replaces the film's position, the f-number found replaces sharpWithin.
+/// A point or plane replaces the film's position, the f-number found replaces sharpWithin.
 Statement WithFocus(const Camera& camera)
 {
     Statement s = camera.TiltLens.statement;
@@ -160,7 +158,7 @@ Statement WithFocus(const Camera& camera)
     return s;
 }
 
-/// With a glass lens's focal length when focused.
+/// Takes a glass lens's focal length when focused.
 Statement Ideal(const Camera& camera, const Statement& s)
 {
     return IdealStatement(WithGroups(s, camera.TiltLens.lens ? camera.TiltLens.lens->groups : 0.0));
@@ -179,7 +177,6 @@ std::string Described(const Camera& camera)
            ", \"block\": " + (camera.TiltLens.given ? Block(Ideal(camera, WithFocus(camera))) : "null") + "}";
 }
 
-/// Transfer curve from pixel values to light.
 std::string Gamma(const SceneData& scene)
 {
     if (!scene.workingGammaToSRGB)

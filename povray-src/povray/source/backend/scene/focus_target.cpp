@@ -32,13 +32,12 @@ namespace
 
 const int kRaysAround = 1024;
 
-/// Each step multiplies the disagreement of frame and focus by about focal length / distance, unless the ray alternates between objects.
+/// Each step multiplies the disagreement of frame and focus by about focal length / distance.
 const int kSteps = 50;
 
-/// Half diagonal of a bounding box of an infinite object, which POV-Ray gives BOUND_HUGE.
 const double kEndless = 0.25 * BOUND_HUGE;
 
-/// Distance of two equal points, relative to their distance from the lens.
+/// Relative distance of two points that count as equal.
 const double kSamePoint = 1e-9;
 
 std::string Text(const Vec3& v)
@@ -91,7 +90,6 @@ Vec3 Finder::OnObject(const FocusTarget& target)
         throw OpticsError(target.Written() + ": the object is infinite or empty and has no centre to focus on. Give "
                                              "focus_at, focal_point or, for a plane, focal_plane.");
     const Vec3 middle = Vec3{box.Lower_Left[X], box.Lower_Left[Y], box.Lower_Left[Z]} + half - location;
-    // along the camera's axis if the camera is at the object's centre
     const Vec3 way = Length(middle) > 1e-6 * Length(half) ? middle : Length(half) * Normalized(FromPov(camera.Direction));
     const Vec3 aside = Normalized(Cross(way, std::fabs(way.x) < std::fabs(way.y) ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
     const Vec3 across = Cross(Normalized(way), aside);

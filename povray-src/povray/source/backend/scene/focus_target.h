@@ -23,7 +23,7 @@ class SceneData;
 /// - Object: first intersection with the ray from the lens centre to its bounding box's centre, even behind other objects; else the next
 ///   of 1024 rays around it, by growing angle.
 /// - Place in the picture: first intersection of its chief ray with a visible surface, transparent or not. Iterated if focusing changes
-///   the angle of view (`focal_length`).
+///   the angle of view.
 ///
 /// @param scene  completely parsed
 /// @param width  of the whole picture, pixels

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file layer_attributes.cpp
-/// Names and meanings as in OpenEXR's list (openexr.com, "Standard Attributes"); others begin with "tiltLens:".
+/// Names and meanings are those of OpenEXR's list (openexr.com, "Standard Attributes"); others begin with "tiltLens:".
 
 #include "backend/scene/layer_attributes.h"
 
@@ -25,7 +25,7 @@ std::vector<double> Numbers(const Vec3& v)
     return {v.x, v.y, v.z};
 }
 
-/// The camera's axes, and its window at distance 1 along z, as in OpenEXR and RenderMan.
+/// The camera's axes, and its window at distance 1 along z.
 struct Window
 {
     Vec3 x, y, z;
@@ -45,7 +45,7 @@ struct Window
     }
 };
 
-/// A matrix for row vectors, from the columns that yield x, y, z and w.
+/// A matrix for row vectors; its columns yield x, y, z and w.
 std::vector<double> Matrix(const Vec3& location, const Vec3& x, const Vec3& y, const Vec3& z, const Vec3& w, double wOffset)
 {
     const double offsets[4] = {-Dot(location, x), -Dot(location, y), -Dot(location, z), wOffset - Dot(location, w)};
@@ -90,7 +90,6 @@ void AddLens(std::vector<LayerAttribute>& list, const Camera& camera, unsigned i
     list.push_back({"tiltLens:shift", {given.shiftRight, given.shiftUp}});
     list.push_back({"tiltLens:hingeDistance", {HingeDistanceOf(lens)}});
     list.push_back({"tiltLens:millimetresPerUnit", {mm}});
-    // n.X = d in world coordinates
     const double distance = Length(lens.focus);
     if (distance == 0.0)
         return;

@@ -20,16 +20,16 @@ namespace pov
 struct LayerAttribute
 {
     std::string name;
-    std::vector<double> values;  ///< 1, 2, 3 or 16 numbers (matrix for row vectors, row by row)
+    std::vector<double> values;  ///< 1, 2, 3 or 16 numbers (matrix row by row, for row vectors)
 };
 
-/// True for perspective and orthographic cameras, whose depth is measured along the axis; else depth is the ray's length.
+/// True if depth is measured along the axis (perspective and orthographic cameras); else it is the ray's length.
 bool HasDepthAxis(const Camera& camera);
 
 /// Unit normal of the film, into the scene.
 tilt_lens::Vec3 DepthAxis(const Camera& camera);
 
-/// Empty for other cameras than perspective ones.
+/// Empty for cameras that are not perspective.
 /// @param camera  as rendered: shift and angle of view are in its direction
 /// @param width   of the whole picture, pixels
 std::vector<LayerAttribute> LayerAttributesOf(const Camera& camera, unsigned int width);

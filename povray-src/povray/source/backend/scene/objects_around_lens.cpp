@@ -61,7 +61,7 @@ LensBox BoxOfLens(const Camera& camera, const tilt_lens::SolvedLens& lens)
     LensBox box;
     for (int i = X; i <= Z; i++)
     {
-        const double room = half[i] + 1e-9 * std::fabs(camera.Location[i]);  // rounding
+        const double room = half[i] + 1e-9 * std::fabs(camera.Location[i]);
         box.low[i] = camera.Location[i] - room;
         box.high[i] = camera.Location[i] + room;
     }
@@ -111,7 +111,7 @@ std::vector<ObjectAroundLens> ObjectsAroundLens(const Camera& camera, const tilt
         const bool plane = dynamic_cast<const Plane*>(object) != NULL;
         const int inside = plane || IsConvexSolid(*object) ? CornersInside(box, *object) : 0;
         if (plane && inside == 0)
-            continue;  // a plane's box is all of space; its outside is convex, so that it contains no point of the box
+            continue;  // a plane's box is all of space; its outside is convex, so it contains no point of the lens's box
         objects.push_back({object, inside == 8});
     }
     return objects;

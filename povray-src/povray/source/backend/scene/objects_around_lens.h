@@ -1,9 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// @file objects_around_lens.h
-/// The objects whose interiors contain the starting points of camera rays.
-
 #ifndef POVRAY_BACKEND_OBJECTS_AROUND_LENS_H
 #define POVRAY_BACKEND_OBJECTS_AROUND_LENS_H
 

@@ -1,9 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// @file tilt_lens_aids.h
-/// Draws one picture's focus aids into pixels traced by chief rays.
-
 #ifndef POVRAY_BACKEND_TILT_LENS_AIDS_H
 #define POVRAY_BACKEND_TILT_LENS_AIDS_H
 
@@ -21,7 +18,7 @@ namespace pov
 class TiltLensAids
 {
   public:
-    /// @param display  from the scene's colours to a display's, or neutral
+    /// @param display  converts the scene's colours to a display's, or is neutral
     TiltLensAids(const tilt_lens::FocusAids& aids, const shared_ptr<const tilt_lens::LensCamera>& camera, int width, int height,
                  pov_base::GammaCurvePtr display);
 

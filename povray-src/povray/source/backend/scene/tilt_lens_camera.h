@@ -62,8 +62,7 @@ struct FocusTarget
 
 struct TiltLensCamera
 {
-    bool given = false;  ///< camera has a `tilt_lens` block; else only `items` and the statement's focalPoint
-                         ///< and scale are used
+    bool given = false;  ///< true if the camera has a `tilt_lens` block; else only `items`, focalPoint and scale are used
     CameraItems items;
     TiltLensPlace place; ///< the block's first word
     std::set<std::string> words;
@@ -79,13 +78,12 @@ struct TiltLensCamera
     /// False before FindFocus() (focus_target.h).
     bool IsComplete() const;
 
-    /// The statement's point for pointTargets[i].
     tilt_lens::Vec3& TargetPoint(std::size_t i);
 
     /// The item that sets the aperture by the blur of sharp_points, or NULL.
     const char* BlurLimitWord() const;
 
-    /// Set at the end of a camera statement, or before the render if the focus must be found; NULL before and after a transformation.
+    /// NULL before the end of a camera statement, before the focus is found, and after a transformation.
     shared_ptr<const tilt_lens::SolvedLens> lens;
 
     void Transform(const TRANSFORM* trans);

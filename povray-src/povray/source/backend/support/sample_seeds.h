@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sample_seeds.h
-/// Seeds random generators by sample, so that pictures do not depend on the order of tracing: at the first draw, since most samples draw
+/// Seeds random generators by sample, so that pictures do not depend on the order of tracing: at a sample's first draw, since most draw
 /// nothing.
 
 #ifndef POVRAY_BACKEND_SAMPLE_SEEDS_H
@@ -31,7 +31,6 @@ class SampleSeedSource
     std::size_t sample = 0, begun = 0;
 };
 
-/// Member of a generator: one seed per sample.
 class SampleSeeds
 {
   public:

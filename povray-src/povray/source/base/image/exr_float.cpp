@@ -29,7 +29,7 @@ namespace OpenEXR
 namespace
 {
 
-/// Place in a file: OpenEXR 2 has its own type, OpenEXR 3 uint64_t.
+/// A place in a file: OpenEXR 2 has its own type, OpenEXR 3 uint64_t.
 using Place = decltype(std::declval<Imf::OStream&>().tellp());
 
 class FloatStream : public Imf::OStream

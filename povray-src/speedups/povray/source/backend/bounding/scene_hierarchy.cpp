@@ -26,7 +26,7 @@ using tilt_lens::Float4;
 using tilt_lens::Float8;
 using tilt_lens::HasAvx2;
 
-/// @param box  enlarged by a few roundings: its numbers are in single precision, and its upper corner is a sum
+/// @param box  enlarged by a few roundings, since its numbers are in single precision
 BoxItem ItemOf(const BBOX& box, const void* what)
 {
     BoxItem item;
@@ -41,7 +41,6 @@ BoxItem ItemOf(const BBOX& box, const void* what)
     return item;
 }
 
-/// A light source's looks_like object; else the object.
 ObjectPtr Visible(ObjectPtr object)
 {
     if (!(object->Type & LIGHT_SOURCE_OBJECT))
@@ -82,7 +81,6 @@ TILT_LENS_INLINED bool FindNearer(ObjectPtr object, bool precedes, const Ray& ra
         return false;
     const Intersection* nearest = NULL;
     DBL depth = best.Depth;
-    // intersections are contiguous; copies only the nearest
     const Intersection* hit = &hits->top();
     for (size_t left = hits->size(); left > 0; left--, hit--)
     {
@@ -100,7 +98,7 @@ TILT_LENS_INLINED bool FindNearer(ObjectPtr object, bool precedes, const Ray& ra
     return nearest != NULL;
 }
 
-/// MInvTransPoint() and MInvTransDirection() with the same operations, components side by side.
+/// MInvTransPoint() and MInvTransDirection() with the same operations.
 TILT_LENS_INLINED void RayInFrame(const Ray& ray, const MATRIX& inverse, VECTOR origin, VECTOR direction)
 {
     using tilt_lens::Double4;
@@ -115,8 +113,7 @@ TILT_LENS_INLINED void RayInFrame(const Ray& ray, const MATRIX& inverse, VECTOR 
     }
 }
 
-/// Mesh::intersect_mesh_triangle() with the same operations and results, but first rejects depths of `nearest` and beyond, and reads only
-/// the two coordinates that count.
+/// Same results as Mesh::intersect_mesh_triangle(), but rejects depths of `nearest` and beyond first.
 /// @param[out] depth  ray parameter at the triangle's plane
 TILT_LENS_INLINED bool MeetsTriangle(const MESH_DATA& data, const MESH_TRIANGLE& triangle, const VECTOR origin, const VECTOR direction,
                                      DBL nearest, DBL& depth)
@@ -235,7 +232,6 @@ bool SceneHierarchy::Intersect(const Ray& ray, Intersection& best, const RayObje
 
 bool MeshHierarchy::MakeTree(const Mesh& mesh)
 {
-    // one at a time, for all meshes
     static std::mutex making;
     const std::lock_guard<std::mutex> lock(making);
     BBOX_TREE* tree = mesh.Data->Tree;
@@ -285,7 +281,6 @@ TILT_LENS_INLINED bool MeshHierarchy::IntersectBy(Mesh& mesh, const Ray& ray, IS
         DBL depth;
         if (!MeetsTriangle(*mesh.Data, *triangle, origin, direction, nearest, depth))
             return;
-        // as Mesh::test_hit()
         const DBL worldDepth = depth / length;
         VECTOR point;
         VEvaluateRay(point, ray.Origin, worldDepth, ray.Direction);

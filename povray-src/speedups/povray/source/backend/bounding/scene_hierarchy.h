@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file scene_hierarchy.h
-/// Bounding hierarchies of a scene with `tilt_lens`, in place of stock's: one of its objects, and one of each mesh's triangles. They find
-/// the same nearest intersection. At equal depth they find the scene's first object, as POV-Ray does without bounding (-MB); stock's find
-/// the first in their queue, so scenes without `tilt_lens` keep them.
+/// Bounding hierarchies of a scene with `tilt_lens`: one of its objects, and one of each mesh's triangles. They find the same nearest
+/// intersection as stock's. At equal depth they find the scene's first object, as POV-Ray does without bounding (-MB).
 
 #ifndef SCENE_HIERARCHY_H
 #define SCENE_HIERARCHY_H
@@ -23,11 +22,11 @@ namespace pov
 class SceneHierarchy
 {
   public:
-    /// Also in CSG, bounding and clipping objects.
+    /// Makes hierarchies of all meshes, also of those in CSG, bounding and clipping objects.
     /// @param all  the scene's objects; must outlive the hierarchy
     explicit SceneHierarchy(const std::vector<ObjectPtr>& all);
 
-    /// Must precede Intersect().
+    /// Call before Intersect().
     void AddObjects(const std::vector<ObjectPtr>& all);
 
     unsigned int FiniteObjects() const { return objects.size() - infinite.size(); }
@@ -64,7 +63,7 @@ class SceneHierarchy
 class MeshHierarchy
 {
   public:
-    /// True if the mesh has stock's tree, mesh.Data->Tree; made at the first call. Thread-safe.
+    /// True if the mesh has stock's tree, which the first call makes. Thread-safe.
     static bool HasTree(const Mesh& mesh)
     {
         return __atomic_load_n(&mesh.Data->Tree, __ATOMIC_ACQUIRE) != NULL || (mesh.Data->Bounded && MakeTree(mesh));
@@ -72,7 +71,6 @@ class MeshHierarchy
 
     static std::unique_ptr<speedups::BoxHierarchy> Of(Mesh& mesh);
 
-    /// Mesh::All_Intersections() for a mesh with a hierarchy.
     static bool AllIntersections(Mesh& mesh, const Ray& ray, IStack& hits, TraceThreadData* thread);
 
   private:

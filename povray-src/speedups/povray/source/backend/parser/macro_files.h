@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file macro_files.h
-/// Text files kept open for macros. A macro is read from its file at each invocation; to open it the parser must ask the frontend for its
-/// place.
+/// Text files kept open for macros: a macro is read from its file at each invocation, and the frontend must find the file.
 
 #ifndef POVRAY_BACKEND_MACRO_FILES_H
 #define POVRAY_BACKEND_MACRO_FILES_H
@@ -21,13 +20,12 @@ namespace pov
 class MacroFiles
 {
   public:
-    /// A file kept under this name, at any position, which the caller owns; null if there is none.
+    /// The kept file of this name, at any position, which the caller owns; null if there is none.
     pov_base::ITextStream* Take(const UCS2* name);
     /// Takes ownership. Beyond `most` files, closes the oldest.
     void Keep(pov_base::ITextStream* file);
     void Forget() { files.clear(); }
 
-    /// Far below the usual limit of about a thousand open files.
     static constexpr std::size_t most = 32;
 
   private:

@@ -13,7 +13,7 @@
 namespace pov
 {
 
-/// A hierarchy takes flags in place of conditions, which saves two virtual calls per object.
+/// Flags in place of conditions save two virtual calls per object.
 bool Trace::FindUnflagged(Intersection& isect, const Ray& ray, unsigned int flags, double depth, const RayObjectCondition& precondition,
                           const RayObjectCondition& postcondition)
 {

@@ -19,7 +19,7 @@ struct Tables
     std::map<std::tuple<double, double, std::size_t>, const std::vector<double>> kept;
 };
 
-/// Never destroyed: statics use it during construction and perhaps destruction.
+/// Never destroyed: statics use it.
 Tables& Kept()
 {
     static Tables& tables = *new Tables;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file random_tables.h
-/// Cache of tables of random numbers, always the same by the same seed. The renderer makes tables of 32768 numbers twice at start and
-/// twice per thread.
+/// Cache of tables of random numbers, which depend on their seed alone. The renderer makes such tables twice at start and twice per
+/// thread.
 
 #ifndef POVRAY_BACKEND_RANDOM_TABLES_H
 #define POVRAY_BACKEND_RANDOM_TABLES_H
