@@ -55,7 +55,7 @@ class Beside(BesidePage):
         state = self.run("return JSON.stringify(focusPage.model.state)")
         self.browser.refresh()
         self.until("the preview", self.drawn)
-        self.smooth()
+        self.one_pass()
         self.assertEqual((self.run(SHOWN), self.run("return JSON.stringify(focusPage.model.state)")), ("A", state))
         self.assertTrue(self.run("return document.getElementById('beside').checked"))
         self.assertEqual([name for name, *_ in self.run(FIGURES)], ["Lens A", "Lens B"])

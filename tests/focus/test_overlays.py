@@ -49,7 +49,7 @@ class Overlays(PageTest):
         self.click_at(*place)
 
     def pixels(self, places, **show):
-        self.smooth()
+        self.one_pass()
         return self.run(PIXELS, show, places)
 
     def test_the_tint_marks_what_is_sharp_and_nothing_else(self):
@@ -90,7 +90,7 @@ class Overlays(PageTest):
         self.until(
             "smooth edges", lambda: self.run("const sum = focusPage.previewSum(), same = sum === window.sum; window.sum = sum; return same")
         )
-        self.smooth()
+        self.one_pass()
         written = scene.read_text()
         live = {name: self.live({name: True} if name else {}) for name in ("", *AIDS)}
         same = self.other(live[""], self.scene(SCENE, "plain.pov"), size) <= 1
@@ -112,7 +112,7 @@ class Overlays(PageTest):
 
     def test_film_lens_and_plane_meet_in_the_side_view(self):
         self.focus_on(MIDDLE)
-        self.smooth()
+        self.one_pass()
         flat = self.run(SIDE)
         self.assertIsNone(flat["meet"])
         self.assertAlmostEqual(angle(flat["lens"][0]), 90, delta=0.01)
@@ -120,7 +120,7 @@ class Overlays(PageTest):
         self.assertGreater(flat["dots"], 100)
         for tilt in (4, 8):
             self.set_number("tilt", tilt)
-            self.smooth()
+            self.one_pass()
             seen = self.run(SIDE)
             (film,), (lens,), (plane,) = seen["film"], seen["lens"], seen["plane"]
             for line in (film, lens, plane):
