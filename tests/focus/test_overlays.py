@@ -90,7 +90,7 @@ class Overlays(PageTest):
         self.until(
             "smooth edges", lambda: self.run("const sum = focusPage.previewSum(), same = sum === window.sum; window.sum = sum; return same")
         )
-        self.one_pass()
+        self.smooth()
         written = scene.read_text()
         live = {name: self.live({name: True} if name else {}) for name in ("", *AIDS)}
         same = self.other(live[""], self.scene(SCENE, "plain.pov"), size) <= 1
