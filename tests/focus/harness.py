@@ -207,7 +207,9 @@ class PageTest(FocusTest):
 
     def drawn(self):
         """From then on the picture has one pass; smooth() asks for all of them."""
-        script = "const live = window.focusPage?.live; if (!live?.complete || !live.passes) return false; focusPage.patience = 0; return true"
+        script = (
+            "const live = window.focusPage?.live; if (!live?.complete || !live.passes) return false; focusPage.patience = 0; return true"
+        )
         return self.run(script)
 
     def smooth(self, patience="Infinity"):

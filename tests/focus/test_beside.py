@@ -10,7 +10,7 @@ SHOWN = "return document.querySelector('input[name=pair]:checked').value"
 RMSE = "const rmse = (a, b) => Math.sqrt(a.reduce((sum, x, i) => sum + ((x - b[i]) / 255) ** 2, 0) / (a.length * 3 / 4));\n"
 
 
-class Beside(BesidePage):
+class Pictures(BesidePage):
     def test_each_picture_is_that_of_its_lens(self):
         self.open_pair()
         self.smooth()
@@ -41,6 +41,8 @@ class Beside(BesidePage):
             self.assertAlmostEqual(float(text.removesuffix(" px")), blur, delta=0.006)
         self.assertEqual(self.console(), [])
 
+
+class Sides(BesidePage):
     def test_a_click_into_the_other_picture_and_a_reload(self):
         self.open_pair()
         before = self.run("return [JSON.stringify(focusPage.model.state.picks), String(focusPage.model.numbers().fStop)]")

@@ -42,7 +42,7 @@ def angle(line):
     return math.degrees(math.atan2(y1 - y2, x2 - x1)) % 180
 
 
-class Overlays(PageTest):
+class OverlaysPage(PageTest):
     def focus_on(self, place):
         self.open(self.scene(), "+W320", "+H180")
         self.set_number("fStop", 0.5)
@@ -52,6 +52,17 @@ class Overlays(PageTest):
         self.one_pass()
         return self.run(PIXELS, show, places)
 
+    def other(self, live, scene, size):
+        return abs(live - display(harness.rendered(scene, self.folder, size)["colours"], 1)[:150, :, :3]).max(2)
+
+    def live(self, show):
+        import numpy
+
+        values = self.run("return Array.from(focusPage.livePixels({ blur: false, ...arguments[0] }))", show)
+        return numpy.array(values).reshape(180, 320, 4)[:150, :, :3]
+
+
+class Colours(OverlaysPage):
     def test_the_tint_marks_what_is_sharp_and_nothing_else(self):
         self.focus_on(MIDDLE)
         plain, tinted = self.pixels([NEAR, MIDDLE, FAR]), self.pixels([NEAR, MIDDLE, FAR], peaking=True)
@@ -79,6 +90,8 @@ class Overlays(PageTest):
         laid = self.pixels([(0, -0.45), FAR], planes=True)
         self.assertNotEqual(laid[1], planes[1])
 
+
+class Aids(OverlaysPage):
     def test_tint_colours_and_planes_are_those_of_the_focus_aids(self):
         scene, size = self.scene(), (320, 180)
         self.open(scene, "+W320", "+H180")
@@ -100,15 +113,6 @@ class Overlays(PageTest):
                 copy = self.scene(written.replace("tilt_lens {", f"tilt_lens {{\n    {item}"), "aid.pov")
                 self.assertGreater(abs(live[name] - live[""]).max(2).mean(), 2, "nothing is laid over the picture")
                 self.assertLess((self.other(live[name], copy, size)[same] > 2).mean(), 0.005)
-
-    def other(self, live, scene, size):
-        return abs(live - display(harness.rendered(scene, self.folder, size)["colours"], 1)[:150, :, :3]).max(2)
-
-    def live(self, show):
-        import numpy
-
-        values = self.run("return Array.from(focusPage.livePixels({ blur: false, ...arguments[0] }))", show)
-        return numpy.array(values).reshape(180, 320, 4)[:150, :, :3]
 
     def test_film_lens_and_plane_meet_in_the_side_view(self):
         self.focus_on(MIDDLE)
