@@ -213,7 +213,7 @@ class PageTest(FocusTest):
         return self.run(script)
 
     def smooth(self, patience="Infinity"):
-        script = f"focusPage.patience = {patience}; return focusPage.live.complete && focusPage.live.smooth"
+        script = f"focusPage.patience = {patience}; return focusPage.live.refined && focusPage.live.smooth"
         self.until("the smooth picture", lambda: self.run(script))
         self.run("focusPage.patience = 0")
 
