@@ -49,10 +49,10 @@ class Shape(PageTest):
 
 class Edge(PageTest):
     def test_a_sharp_edge_does_not_leak_and_a_blurred_one_spreads(self):
-        self.open(self.scene(POST), "+W320", "+H180")
+        self.open(self.scene(POST), "+W320", "+H90")
         for knob, value in (("sceneUnit", 10), ("fStop", 1.4)):
             self.set_number(knob, value)
-        reds = "const pixels = focusPage.livePixels(); return arguments[0].map(x => pixels[4 * (90 * 320 + x)])"
+        reds = "const pixels = focusPage.livePixels(); return arguments[0].map(x => pixels[4 * (45 * 320 + x)])"
         edge = 160 + round(320 * 1 / (2 * 10 * math.tan(math.radians(15))))  # column of the post's right-hand edge
         places = [edge - 3, edge + 3, edge + 8, edge + 14]
         self.click_at(0, 0.1)
