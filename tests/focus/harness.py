@@ -174,7 +174,8 @@ def open_browser(size=(1280, 1000)):
     options.binary_location = "/usr/bin/chromium"
     # its sandbox needs rights that neither root nor a user in a chroot has
     words = ["--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-dev-shm-usage"]
-    words += ["--hide-scrollbars", f"--window-size={size[0]},{size[1]}"]
+    # composing the page by WebGL's software, too, takes twice the processor time
+    words += ["--disable-gpu-compositing", "--hide-scrollbars", f"--window-size={size[0]},{size[1]}"]
     for word in words:
         options.add_argument(word)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
@@ -205,11 +206,20 @@ class PageTest(FocusTest):
         return address
 
     def drawn(self):
-        return self.run("const live = window.focusPage?.live; return live?.complete && live.passes > 0")
+        """From then on the picture has one pass; smooth() asks for all of them."""
+        script = (
+            "const live = window.focusPage?.live; if (!live?.complete || !live.passes) return false; focusPage.patience = 0; return true"
+        )
+        return self.run(script)
 
-    def smooth(self):
-        script = "focusPage.drawAllPasses(); return focusPage.live.complete && focusPage.live.smooth"
+    def smooth(self, patience="Infinity"):
+        script = f"focusPage.patience = {patience}; return focusPage.live.refined && focusPage.live.smooth"
         self.until("the smooth picture", lambda: self.run(script))
+        self.run("focusPage.patience = 0")
+
+    def one_pass(self):
+        """Colours at full size; blur is not yet smooth."""
+        self.smooth(patience=0)
 
     def true_picture(self, width):
         self.run("document.getElementById('width').add(new Option(arguments[0], arguments[0], true, true))", str(width))

@@ -12,7 +12,7 @@ PLACES = ((-0.41, -0.41), (0.28, -0.055), (-0.03, 0.3), (0.3, -0.4))
 STATE = "return JSON.stringify(focusPage.model.state)"
 
 
-class Address(PageTest):
+class AddressPage(PageTest):
     def state(self):
         return json.loads(self.run(STATE))
 
@@ -32,6 +32,8 @@ class Address(PageTest):
         self.press("#hold")
         self.set_number("shiftUp", 1)
 
+
+class Kept(AddressPage):
     def test_nothing_is_lost(self):
         address = self.open(self.scene())
         self.choose_lens()
@@ -73,6 +75,8 @@ class Address(PageTest):
         self.until("the preview", self.drawn)
         self.assertEqual((self.state(), self.said()), (wanted, ""))
 
+
+class Others(AddressPage):
     def test_a_chosen_camera_stays_chosen(self):
         self.open(self.scene(SCENE + "camera { location <6, 2, -6> look_at <0, 0.5, 0> right x*image_width/image_height angle 50 }\n"))
         self.choose("camera", 0)

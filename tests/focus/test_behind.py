@@ -9,7 +9,7 @@ SIZE = (160, 90)
 QUALITY = "  angle 45\n  blur_samples 4\n"
 
 
-class Behind(PageTest):
+class BehindPage(PageTest):
     def with_items(self, items, before=""):
         text = SCENE.replace("  angle 45\n", f"{QUALITY}  {items}\n").replace("camera {", f"{before}camera {{")
         return self.scene(text), text
@@ -30,6 +30,8 @@ class Behind(PageTest):
             self.assertLess(abs(blur[int((0.5 - y) * SIZE[1]), int((x + 0.5) * SIZE[0])]), 0.3, f"{x}, {y}")
         self.assertGreater(abs(blur).max(), 2, "nothing is blurred")
 
+
+class Replaced(BehindPage):
     def test_the_new_block_is_written_behind_the_old_one(self):
         (self.folder / "lens.inc").write_text("tilt_lens { f_stop 2 }\n")
         for items, before in (
@@ -56,6 +58,8 @@ class Behind(PageTest):
                 self.assertEqual(scene.read_text().count("focal_plane"), 1)
                 self.end()
 
+
+class Kept(BehindPage):
     def test_what_would_be_lost_is_not_written(self):
         scene, text = self.with_items("My_Lens(2)", "#macro My_Lens(N) tilt_lens { f_stop N denoise off } #end\n")
         self.open(scene)

@@ -10,7 +10,7 @@ SHOWN = "return document.querySelector('input[name=pair]:checked').value"
 RMSE = "const rmse = (a, b) => Math.sqrt(a.reduce((sum, x, i) => sum + ((x - b[i]) / 255) ** 2, 0) / (a.length * 3 / 4));\n"
 
 
-class Beside(BesidePage):
+class Pictures(BesidePage):
     def test_each_picture_is_that_of_its_lens(self):
         self.open_pair()
         self.smooth()
@@ -41,6 +41,8 @@ class Beside(BesidePage):
             self.assertAlmostEqual(float(text.removesuffix(" px")), blur, delta=0.006)
         self.assertEqual(self.console(), [])
 
+
+class Sides(BesidePage):
     def test_a_click_into_the_other_picture_and_a_reload(self):
         self.open_pair()
         before = self.run("return [JSON.stringify(focusPage.model.state.picks), String(focusPage.model.numbers().fStop)]")
@@ -55,7 +57,7 @@ class Beside(BesidePage):
         state = self.run("return JSON.stringify(focusPage.model.state)")
         self.browser.refresh()
         self.until("the preview", self.drawn)
-        self.smooth()
+        self.one_pass()
         self.assertEqual((self.run(SHOWN), self.run("return JSON.stringify(focusPage.model.state)")), ("A", state))
         self.assertTrue(self.run("return document.getElementById('beside').checked"))
         self.assertEqual([name for name, *_ in self.run(FIGURES)], ["Lens A", "Lens B"])

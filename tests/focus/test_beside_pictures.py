@@ -47,7 +47,7 @@ class Frames(BesidePage):
         self.set_number("shiftRight", -6)
         number = self.run("return focusPage.previewSum()")
         self.until("a preview of both frames", lambda: self.drawn() and self.run("return focusPage.previewSum()") != number)
-        self.smooth()
+        self.one_pass()
         self.assertEqual(self.run(CORNERS), [4, 4])
         self.assertEqual(self.console(), [])
 

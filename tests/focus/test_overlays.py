@@ -42,16 +42,27 @@ def angle(line):
     return math.degrees(math.atan2(y1 - y2, x2 - x1)) % 180
 
 
-class Overlays(PageTest):
+class OverlaysPage(PageTest):
     def focus_on(self, place):
         self.open(self.scene(), "+W320", "+H180")
         self.set_number("fStop", 0.5)
         self.click_at(*place)
 
     def pixels(self, places, **show):
-        self.smooth()
+        self.one_pass()
         return self.run(PIXELS, show, places)
 
+    def other(self, live, scene, size):
+        return abs(live - display(harness.rendered(scene, self.folder, size)["colours"], 1)[:150, :, :3]).max(2)
+
+    def live(self, show):
+        import numpy
+
+        values = self.run("return Array.from(focusPage.livePixels({ blur: false, ...arguments[0] }))", show)
+        return numpy.array(values).reshape(180, 320, 4)[:150, :, :3]
+
+
+class Colours(OverlaysPage):
     def test_the_tint_marks_what_is_sharp_and_nothing_else(self):
         self.focus_on(MIDDLE)
         plain, tinted = self.pixels([NEAR, MIDDLE, FAR]), self.pixels([NEAR, MIDDLE, FAR], peaking=True)
@@ -79,6 +90,8 @@ class Overlays(PageTest):
         laid = self.pixels([(0, -0.45), FAR], planes=True)
         self.assertNotEqual(laid[1], planes[1])
 
+
+class Aids(OverlaysPage):
     def test_tint_colours_and_planes_are_those_of_the_focus_aids(self):
         scene, size = self.scene(), (320, 180)
         self.open(scene, "+W320", "+H180")
@@ -87,10 +100,7 @@ class Overlays(PageTest):
         self.press("#write")
         self.until("the change", lambda: "Written" in self.text("file-said"))
         self.until("the new preview", lambda: "new preview" in self.text("status"))
-        self.until(
-            "smooth edges", lambda: self.run("const sum = focusPage.previewSum(), same = sum === window.sum; window.sum = sum; return same")
-        )
-        self.smooth()
+        self.one_pass()
         written = scene.read_text()
         live = {name: self.live({name: True} if name else {}) for name in ("", *AIDS)}
         same = self.other(live[""], self.scene(SCENE, "plain.pov"), size) <= 1
@@ -101,18 +111,11 @@ class Overlays(PageTest):
                 self.assertGreater(abs(live[name] - live[""]).max(2).mean(), 2, "nothing is laid over the picture")
                 self.assertLess((self.other(live[name], copy, size)[same] > 2).mean(), 0.005)
 
-    def other(self, live, scene, size):
-        return abs(live - display(harness.rendered(scene, self.folder, size)["colours"], 1)[:150, :, :3]).max(2)
 
-    def live(self, show):
-        import numpy
-
-        values = self.run("return Array.from(focusPage.livePixels({ blur: false, ...arguments[0] }))", show)
-        return numpy.array(values).reshape(180, 320, 4)[:150, :, :3]
-
+class Side(OverlaysPage):
     def test_film_lens_and_plane_meet_in_the_side_view(self):
         self.focus_on(MIDDLE)
-        self.smooth()
+        self.one_pass()
         flat = self.run(SIDE)
         self.assertIsNone(flat["meet"])
         self.assertAlmostEqual(angle(flat["lens"][0]), 90, delta=0.01)
@@ -120,7 +123,7 @@ class Overlays(PageTest):
         self.assertGreater(flat["dots"], 100)
         for tilt in (4, 8):
             self.set_number("tilt", tilt)
-            self.smooth()
+            self.one_pass()
             seen = self.run(SIDE)
             (film,), (lens,), (plane,) = seen["film"], seen["lens"], seen["plane"]
             for line in (film, lens, plane):

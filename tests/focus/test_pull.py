@@ -19,7 +19,7 @@ import(new URL("page/pull.js", location)).then(({ pullAt }) => done(times.map(ti
 KEPT = "return JSON.parse(atob(location.hash.slice(1).replaceAll('-', '+').replaceAll('_', '/'))).keys"
 
 
-class Pull(PageTest):
+class PullPage(PageTest):
     def open_pull(self, scene, *words):
         self.open(scene, *words)
         self.press("#pull summary")
@@ -51,6 +51,8 @@ class Pull(PageTest):
         povray_run.run(command, self.folder, povray_run.environment(TILT_LENS_PREVIEW=str(record))).succeeded()
         return json.loads(record.read_text())["view"]["block"]
 
+
+class Written(PullPage):
     def test_the_written_pull_is_the_film_of_the_page(self):
         scene = self.scene()
         self.open_pull(scene)
@@ -83,6 +85,27 @@ class Pull(PageTest):
         self.until("the undoing", lambda: scene.read_text().count("Tilt_Lens_Key_Points") == 2)
         self.assertEqual(self.console(), [])
 
+    def test_only_keys_end_up_in_the_scene(self):
+        self.open_pull(self.scene())
+        self.mark_two()
+        self.run(
+            "window.sent = []; const { send } = WebSocket.prototype; WebSocket.prototype.send = function (t) { window.sent.push(t); send.call(this, t); }"
+        )
+        self.answer("#pull-copy")
+        (good,) = [text for text in map(json.loads, self.run("return window.sent")) if text["do"] == "pull"]
+        self.assertEqual(read(json.dumps(good))[0], "pull")
+        for name, bad in {
+            "another file": {"head": good["head"].replace("tilt_lens.inc", "other.inc")},
+            "a directive": {"head": good["head"] + '#fopen F "a" write\n'},
+            "one key": {"head": good["head"][: good["head"].rindex("Tilt_Lens_Key")]},
+            "another macro": {"block": good["block"].replace("Tilt_Lens_Pull(clock", "Other(clock")},
+            "no check": {"checks": []},
+        }.items():
+            with self.subTest(name), self.assertRaises(BadRequest):
+                read(json.dumps({**good, **bad}))
+
+
+class Film(PullPage):
     def test_film_is_played_live_and_leaves_the_lens(self):
         self.open_pull(self.scene())
         self.assertTrue(self.run("return document.getElementById('pull-part').hidden"), "two marks are needed")
@@ -140,25 +163,6 @@ class Pull(PageTest):
         self.press("#mark")
         self.assertIn("Not written: the changed scene would have another location", self.answer("#pull-write"))
         self.assertNotIn("Tilt_Lens", scene.read_text())
-
-    def test_only_keys_end_up_in_the_scene(self):
-        self.open_pull(self.scene())
-        self.mark_two()
-        self.run(
-            "window.sent = []; const { send } = WebSocket.prototype; WebSocket.prototype.send = function (t) { window.sent.push(t); send.call(this, t); }"
-        )
-        self.answer("#pull-copy")
-        (good,) = [text for text in map(json.loads, self.run("return window.sent")) if text["do"] == "pull"]
-        self.assertEqual(read(json.dumps(good))[0], "pull")
-        for name, bad in {
-            "another file": {"head": good["head"].replace("tilt_lens.inc", "other.inc")},
-            "a directive": {"head": good["head"] + '#fopen F "a" write\n'},
-            "one key": {"head": good["head"][: good["head"].rindex("Tilt_Lens_Key")]},
-            "another macro": {"block": good["block"].replace("Tilt_Lens_Pull(clock", "Other(clock")},
-            "no check": {"checks": []},
-        }.items():
-            with self.subTest(name), self.assertRaises(BadRequest):
-                read(json.dumps({**good, **bad}))
 
 
 if __name__ == "__main__":

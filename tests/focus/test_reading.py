@@ -100,7 +100,7 @@ class Reading(PageTest):
         for place, scale in ((NEAR, 1), (MIDDLE, 2), (FAR, 4)):
             self.choose("loupe-scale", scale)
             at = self.point_at(*place)
-            self.smooth()
+            self.one_pass()
             found = self.run(LOUPE, at, scale)
             with self.subTest(scale, found=found):
                 self.assertGreater(found["inside"], 0.2 * found["side"] ** 2)

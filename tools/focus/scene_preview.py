@@ -59,6 +59,8 @@ class Preview:
             view.send(packed(PREVIEW, self.number, 0, 0, self.values))
             if self.told["preview"]["state"] == "done":
                 view.send(self.told["preview"])
+        if "refined" in self.told:
+            view.send(self.told["refined"])
 
     def head(self):
         return {"number": self.number, "frame": self.frame}
@@ -71,6 +73,7 @@ class Preview:
             self.tell("preview", **self.head(), state="done", seconds=seconds)
             if seconds < REFINED_BELOW:
                 await self.pass_over(REFINE, refining=True)
+            self.tell("refined", number=self.number)
         except Exception as error:  # pylint: disable=broad-except
             self.tell("error", **self.session.described(error))
 

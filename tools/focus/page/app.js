@@ -250,6 +250,7 @@ function complain(error) {
 const takes = {
     scene: takeScene,
     preview: takePreviewState,
+    refined: message => live.endRefining(message),
     error: complain,
     file: takeFileState,
     picture: message => truth.take(message),

@@ -18,7 +18,8 @@ export class Live {
         Object.assign(this, { blur, model, ask, begun });
         this.second = null;        // { blur, lens, changed }: the picture of the other lens, if both are shown
         this.drawn = () => {};     // called after each drawing
-        this.complete = false;     // no more tiles of the preview are to come
+        this.complete = false;     // the preview has a value for each pixel
+        this.refined = false;      // no more tiles of the preview are to come
         this.former = null;        // the previous preview of the same scene, while the current one arrives
         this.readAnew = false;     // the scene was parsed again for the arriving preview
         this.ownView = null;       // the scene's own camera
@@ -29,7 +30,7 @@ export class Live {
 
     /// A frame: the scene as parsed before.
     expect({ number, frame, size }) {
-        this.complete = false;
+        this.complete = this.refined = false;
         this.readAnew ||= !frame;
         this.number = number;
         this.askedFrame = frame;
@@ -57,6 +58,10 @@ export class Live {
         this.complete = true;
         this.former = null;
         this.draw();
+    }
+
+    endRefining({ number }) {
+        this.refined ||= number === this.number;
     }
 
     /// For clicks while the next arrives, unless incomplete or outdated.

@@ -20,14 +20,15 @@ export function buildProbe(model, live) {
 
         /// Null before the first picture; milliseconds.
         get live() {
-            const { frame, pass, work } = blur, { complete } = live, smooth = live.blurs.every(each => !each.unfinished);
-            return blur.values && frame ? { size: size(), location: frame.location, complete, passes: pass, smooth, work } : null;
+            const { frame, pass, work } = blur, { complete, refined } = live, smooth = live.blurs.every(each => !each.unfinished);
+            return blur.values && frame ? { size: size(), location: frame.location, complete, refined, passes: pass, smooth, work } : null;
         },
 
-        /// On a busy machine, too, smooth pictures have all of their passes.
-        drawAllPasses() {
+        /// Milliseconds of work after which a picture counts as smooth. 0: after one pass; Infinity: after all, on a busy machine, too.
+        set patience(time) {
             for (const each of live.blurs)
-                each.patience = Infinity;
+                each.patience = time;
+            live.draw();
         },
 
         get drawings() {
