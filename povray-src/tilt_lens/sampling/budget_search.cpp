@@ -27,6 +27,8 @@ constexpr double kFirstShare = 0.6, kAim = 0.96, kEnough = 0.91;
 /// The excess grows as a power of the inverse of the variance. About 1 if each pixel took as many samples as its noise needs; more where
 /// many pixels have the same noise.
 constexpr double kLeastExponent = 0.5, kGreatestExponent = 4.0;
+/// Growth between two trials, as a share of the budget, beyond which all blocks do not go: a step of many pixels with the same noise.
+constexpr double kStep = 0.25;
 
 struct Range
 {
@@ -110,13 +112,24 @@ std::optional<double> NextVariance(const BudgetRounds& trials, const BudgetRound
     if (beyond || rounds.size() == kMostRounds || cost >= ShareOf(budget, kEnough, least))
         return {};
     const double growth = std::clamp(Excess(ShareOf(budget, kAim, least), least) / Excess(cost, least), 1.0, kGreatestGrowth);
+    const auto [before, behind] = RangeOf(trials, budget, AtMost);
+    const bool step = before && behind && behind->samples - before->samples > kStep * (budget - least);
     const double exponent = std::max(ExponentOf(trials, within->variance * kLeastFactor, least), ExponentOf(rounds, 1.0, least));
-    return Lower(within->variance, std::pow(growth, 1.0 / exponent));
+    const double factor = std::pow(growth, 1.0 / exponent);
+    return Lower(within->variance, step ? std::min(factor, within->variance / (kLeastFactor * before->variance)) : factor);
 }
 
 const BudgetRound* BestRound(const BudgetRounds& rounds, double recorded, double budget)
 {
-    return RangeOf(rounds, budget, [&](const BudgetRound& round) { return round.Cost(recorded); }).within;
+    double allowed = HUGE_VAL;
+    for (const BudgetRound& round : rounds)
+        allowed = std::min(allowed, round.Cost(recorded));
+    allowed = std::max(budget, allowed * (1.0 + 1e-9));
+    const BudgetRound* best = nullptr;
+    for (const BudgetRound& round : rounds)
+        if (round.Cost(recorded) <= allowed && (!best || round.variance < best->variance))
+            best = &round;
+    return best;
 }
 
 } // namespace tilt_lens

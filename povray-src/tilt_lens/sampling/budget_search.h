@@ -44,7 +44,7 @@ std::optional<double> NextTrialVariance(const BudgetRounds& trials, double budge
 /// target is known to keep the budget.
 std::optional<double> NextVariance(const BudgetRounds& trials, const BudgetRounds& rounds, double recorded, double budget, double least);
 
-/// The round with the lowest target that keeps the budget; null: none does.
+/// The round with the lowest target that keeps the budget; if none does, the lowest of the cheapest. Null without rounds.
 const BudgetRound* BestRound(const BudgetRounds& rounds, double recorded, double budget);
 
 } // namespace tilt_lens
