@@ -15,8 +15,8 @@ namespace tilt_lens
 namespace
 {
 
-/// One in so many of these blocks takes part in the trials; least number of them.
-constexpr std::size_t kTrialStride = 16, kLeastTrialBlocks = 32;
+/// One in so many of these blocks takes part in the trials: more where these would be fewer than kTrialBlocks.
+constexpr std::size_t kTrialStride = 16, kLeastTrialStride = 8, kTrialBlocks = 32;
 
 } // namespace
 
@@ -32,9 +32,9 @@ BudgetPilot::BudgetPilot(const SamplingLimits& given, std::uint32_t itsWidth, st
     records(blocks.size())
 {
     all = WithNeighbours(ChosenPlaces(recordBytes));
-    const std::size_t stride = std::clamp<std::size_t>(all.counted.size() / kLeastTrialBlocks, 1, kTrialStride);
+    const std::size_t stride = std::clamp(all.counted.size() / kTrialBlocks, kLeastTrialStride, kTrialStride);
     std::vector<std::size_t> places;
-    for (std::size_t i = stride / 2; i < all.counted.size(); i += stride)
+    for (std::size_t i = std::min(stride / 2, all.counted.size() - 1); i < all.counted.size(); i += stride)
         places.push_back(all.counted[i]);
     few = WithNeighbours(places);
     for (const std::size_t place : all.looked)

@@ -14,7 +14,7 @@ namespace
 
 /// The standard error is then less than a fortieth of a step of 8 bits: more samples would not be seen.
 constexpr double kLeastVariance = 1e-8;
-constexpr std::size_t kMostTrials = 24, kMostRounds = 8;
+constexpr std::size_t kMostTrials = 24, kMostRounds = 12;
 /// Greatest factor between the variances of two trials, and between the excesses of two rounds with all blocks.
 constexpr double kGreatestTrialFactor = 4.0, kGreatestGrowth = 1.5;
 /// Nearer variances are not distinguished.
