@@ -15,20 +15,24 @@ namespace
 /// The standard error is then less than a fortieth of a step of 8 bits: more samples would not be seen.
 constexpr double kLeastVariance = 1e-8;
 constexpr std::size_t kMostTrials = 24, kMostRounds = 12;
-/// Greatest factor between the variances of two trials, and between the excesses of two rounds with all blocks.
-constexpr double kGreatestTrialFactor = 4.0, kGreatestGrowth = 1.5;
+/// Greatest factor between the variances of two trials. Greatest growth of the excess between two rounds with all blocks: by this factor, or by
+/// this share of the budget.
+constexpr double kGreatestTrialFactor = 4.0, kGreatestGrowth = 1.5, kGreatestShare = 0.15;
 /// Nearer variances are not distinguished.
 constexpr double kLeastFactor = 1.02;
 /// Standard errors by which all blocks may take more than the trials' blocks.
 constexpr double kDoubts = 2.0;
 /// Shares of the budget: that all blocks may take at first, since the trials' blocks may have missed lamps; that each search aims at; and
 /// that is enough.
-constexpr double kFirstShare = 0.6, kAim = 0.96, kEnough = 0.91;
+constexpr double kFirstShare = 0.4, kAim = 0.96, kEnough = 0.91;
 /// The excess grows as a power of the inverse of the variance. About 1 if each pixel took as many samples as its noise needs; more where
 /// many pixels have the same noise.
-constexpr double kLeastExponent = 0.5, kGreatestExponent = 4.0;
-/// Growth between two trials, as a share of the budget, beyond which all blocks do not go: a step of many pixels with the same noise.
-constexpr double kStep = 0.25;
+constexpr double kLeastExponent = 0.5, kGreatestExponent = 2.0;
+/// Nearer variances tell nothing of the exponent.
+constexpr double kLeastSlopeFactor = 1.1;
+/// Growth, as a share of the budget, between two trials whose variances differ by at most this factor: a step, where many pixels have the same
+/// noise. All blocks do not cross it.
+constexpr double kStep = 0.25, kStepFactor = 1.1;
 
 struct Range
 {
@@ -61,15 +65,17 @@ double ShareOf(double budget, double share, double least)
     return least + share * (budget - least);
 }
 
-/// Steepest growth of the excess between neighbouring variances up to `greatest`.
+/// Steepest growth of the excess between neighbouring variances, the lower one below `greatest`.
 double ExponentOf(BudgetRounds rounds, double greatest, double least)
 {
     std::sort(rounds.begin(), rounds.end(), [](const BudgetRound& a, const BudgetRound& b) { return a.variance < b.variance; });
     double steepest = kLeastExponent;
     for (std::size_t i = 0; i + 1 < rounds.size() && rounds[i].variance < greatest; i++)
     {
-        const double growth = std::log(Excess(rounds[i].samples, least) / Excess(rounds[i + 1].samples, least));
-        steepest = std::max(steepest, growth / std::log(rounds[i + 1].variance / rounds[i].variance));
+        const double factor = rounds[i + 1].variance / rounds[i].variance;
+        const double growth = Excess(rounds[i].samples, least) / Excess(rounds[i + 1].samples, least);
+        if (factor >= kLeastSlopeFactor)
+            steepest = std::max(steepest, std::log(growth) / std::log(factor));
     }
     return std::min(steepest, kGreatestExponent);
 }
@@ -111,10 +117,12 @@ std::optional<double> NextVariance(const BudgetRounds& trials, const BudgetRound
     const double cost = within ? within->Cost(recorded) : budget;
     if (beyond || rounds.size() == kMostRounds || cost >= ShareOf(budget, kEnough, least))
         return {};
-    const double growth = std::clamp(Excess(ShareOf(budget, kAim, least), least) / Excess(cost, least), 1.0, kGreatestGrowth);
+    const double most = std::max(kGreatestGrowth * Excess(cost, least), Excess(cost, least) + kGreatestShare * (budget - least));
+    const double growth = std::max(1.0, std::min(most, Excess(ShareOf(budget, kAim, least), least)) / Excess(cost, least));
     const auto [before, behind] = RangeOf(trials, budget, AtMost);
-    const bool step = before && behind && behind->samples - before->samples > kStep * (budget - least);
-    const double exponent = std::max(ExponentOf(trials, within->variance * kLeastFactor, least), ExponentOf(rounds, 1.0, least));
+    const bool step = before && behind && before->variance <= kStepFactor * behind->variance &&
+                      behind->samples - before->samples > kStep * (budget - least);
+    const double exponent = std::max(ExponentOf(trials, within->variance * kLeastFactor, least), ExponentOf(rounds, within->variance * kLeastFactor, least));
     const double factor = std::pow(growth, 1.0 / exponent);
     return Lower(within->variance, step ? std::min(factor, within->variance / (kLeastFactor * before->variance)) : factor);
 }
