@@ -20,8 +20,6 @@ constexpr std::size_t kMostTrials = 24, kMostRounds = 12;
 constexpr double kGreatestTrialFactor = 4.0, kGreatestGrowth = 1.5, kGreatestShare = 0.15;
 /// Nearer variances are not distinguished.
 constexpr double kLeastFactor = 1.02;
-/// Standard errors by which all blocks may take more than the trials' blocks.
-constexpr double kDoubts = 2.0;
 /// Shares of the budget: that all blocks may take at first, since the trials' blocks may have missed lamps; that each search aims at; and
 /// that is enough.
 constexpr double kFirstShare = 0.4, kAim = 0.96, kEnough = 0.91;
@@ -33,6 +31,9 @@ constexpr double kLeastSlopeFactor = 1.1;
 /// Growth, as a share of the budget, between two trials whose variances differ by at most this factor: a step, where many pixels have the same
 /// noise. All blocks do not cross it.
 constexpr double kStep = 0.25, kStepFactor = 1.1;
+
+/// Of the trials, whose blocks are few.
+const auto AtMost = [](const BudgetRound& trial) { return trial.AtMost(); };
 
 struct Range
 {
@@ -87,11 +88,6 @@ std::optional<double> Lower(double variance, double factor)
     return next * kLeastFactor <= variance ? next : std::optional<double>();
 }
 
-double AtMost(const BudgetRound& trial)
-{
-    return trial.samples + kDoubts * trial.doubt;
-}
-
 } // namespace
 
 std::optional<double> NextTrialVariance(const BudgetRounds& trials, double budget, double least)
@@ -99,9 +95,9 @@ std::optional<double> NextTrialVariance(const BudgetRounds& trials, double budge
     if (trials.empty())
         return 1.0;
     const auto [within, beyond] = RangeOf(trials, budget, AtMost);
-    if (!within || trials.size() == kMostTrials || AtMost(*within) >= ShareOf(budget, kEnough, least))
+    if (!within || trials.size() == kMostTrials || within->AtMost() >= ShareOf(budget, kEnough, least))
         return {};
-    const double growth = Excess(ShareOf(budget, kAim, least), least) / Excess(AtMost(*within), least);
+    const double growth = Excess(ShareOf(budget, kAim, least), least) / Excess(within->AtMost(), least);
     const double most = beyond ? std::sqrt(within->variance / beyond->variance) : kGreatestTrialFactor;
     return Lower(within->variance, std::min(growth, most));
 }

@@ -29,9 +29,12 @@ struct BudgetRound
     double doubt = 0.0;    ///< standard error of this number, because not all blocks were sampled
     double used = 0.0;     ///< recorded samples that the picture needs
 
+    /// Samples that the picture will hardly exceed: two standard errors more.
+    double AtMost() const { return samples + 2.0 * doubt; }
+
     /// Cost of a picture with this target.
     /// @param recorded  all samples of the pilot; those that this target does not need are lost
-    double Cost(double recorded) const { return samples + doubt + (recorded - used); }
+    double Cost(double recorded) const { return AtMost() + (recorded - used); }
 };
 
 using BudgetRounds = std::vector<BudgetRound>;
