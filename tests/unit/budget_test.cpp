@@ -213,7 +213,7 @@ TEST(BudgetPilot, ChoosesTheSameWithManyThreadsAndInterruptions)
 /// With memory for a part of the samples, some blocks stand for all.
 TEST(BudgetPilot, SomeBlocksStandForAll)
 {
-    constexpr double budget = 12.0, bytes = 2.4e7;
+    constexpr double budget = 12.0, bytes = 1.9e7;
     std::atomic<std::uint64_t> traced{0};
     const Tracer counting([&](const SampleRun& run, SampleResult* results)
     {
