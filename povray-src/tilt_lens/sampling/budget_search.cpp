@@ -15,8 +15,8 @@ namespace
 /// The standard error is then less than a fortieth of a step of 8 bits: more samples would not be seen.
 constexpr double kLeastVariance = 1e-8;
 constexpr std::size_t kMostTrials = 24, kMostRounds = 12;
-/// Greatest factor between the variances of two trials. Greatest growth of the excess between two rounds with all blocks: by this factor, or by
-/// this share of the budget.
+/// Greatest factor between the variances of two trials. Greatest growth of the excess between two rounds with all blocks: by this factor,
+/// or by this share of the budget.
 constexpr double kGreatestTrialFactor = 4.0, kGreatestGrowth = 1.5, kGreatestShare = 0.15;
 /// Nearer variances are not distinguished.
 constexpr double kLeastFactor = 1.02;
@@ -28,8 +28,8 @@ constexpr double kFirstShare = 0.4, kAim = 0.96, kEnough = 0.91;
 constexpr double kLeastExponent = 0.5, kGreatestExponent = 2.0;
 /// Nearer variances tell nothing of the exponent.
 constexpr double kLeastSlopeFactor = 1.1;
-/// Growth, as a share of the budget, between two trials whose variances differ by at most this factor: a step, where many pixels have the same
-/// noise. All blocks do not cross it.
+/// Growth, as a share of the budget, between two trials whose variances differ by at most this factor: a step, where many pixels have the
+/// same noise. All blocks do not cross it.
 constexpr double kStep = 0.25, kStepFactor = 1.1;
 
 /// Of the trials, whose blocks are few.
@@ -118,7 +118,8 @@ std::optional<double> NextVariance(const BudgetRounds& trials, const BudgetRound
     const auto [before, behind] = RangeOf(trials, budget, AtMost);
     const bool step = before && behind && before->variance <= kStepFactor * behind->variance &&
                       behind->samples - before->samples > kStep * (budget - least);
-    const double exponent = std::max(ExponentOf(trials, within->variance * kLeastFactor, least), ExponentOf(rounds, within->variance * kLeastFactor, least));
+    const double here = within->variance * kLeastFactor;
+    const double exponent = std::max(ExponentOf(trials, here, least), ExponentOf(rounds, here, least));
     const double factor = std::pow(growth, 1.0 / exponent);
     return Lower(within->variance, step ? std::min(factor, within->variance / (kLeastFactor * before->variance)) : factor);
 }

@@ -43,8 +43,8 @@ using BudgetRounds = std::vector<BudgetRound>;
 /// @param least  samples of the first round: no target takes less
 std::optional<double> NextTrialVariance(const BudgetRounds& trials, double budget, double least);
 
-/// The next target to try with all blocks of the pilot, from above, so that no samples are lost; nothing if the last one is good enough or no
-/// target is known to keep the budget.
+/// The next target to try with all blocks of the pilot, from above, so that no samples are lost; nothing if the last one is good enough or
+/// no target is known to keep the budget.
 std::optional<double> NextVariance(const BudgetRounds& trials, const BudgetRounds& rounds, double recorded, double budget, double least);
 
 /// The round with the lowest target that keeps the budget; if none does, the lowest of the cheapest. Null without rounds.

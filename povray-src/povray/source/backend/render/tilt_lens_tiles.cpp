@@ -69,12 +69,15 @@ void TraceTile(TiltLensTracer& tracer, const ViewData& view, const POVRect& rect
     tilt_lens::BlockCache own(tracer.view->Limits(), view.GetWidth(), view.GetHeight(), tile);
     tilt_lens::TileSampler sampler(alone ? own : tracer.view->Blocks());
     tracer.areaLights.sampled = tracer.areaLights.skipped = tracer.samples.refusedRays = 0;
-    const tilt_lens::BudgetPilot* const pilot = tracer.view->pilot.get();
-    sampler.Run(tile, [&](const tilt_lens::SampleRun& run, tilt_lens::SampleResult* results)
-    {
-        if (pilot == NULL || !pilot->Get(run, results))
-            tracer.samples.Trace(run, results);
-    });
+    const auto trace = [&](const tilt_lens::SampleRun& run, tilt_lens::SampleResult* results) { tracer.samples.Trace(run, results); };
+    if (const tilt_lens::BudgetPilot* const pilot = tracer.view->pilot.get())
+        sampler.Run(tile, [&](const tilt_lens::SampleRun& run, tilt_lens::SampleResult* results)
+        {
+            if (!pilot->Get(run, results))
+                trace(run, results);
+        });
+    else
+        sampler.Run(tile, trace);
     for (unsigned int y = tile.top; y < tile.Bottom(); y++)
         for (unsigned int x = tile.left; x < tile.Right(); x++)
         {
