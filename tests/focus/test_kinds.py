@@ -52,15 +52,15 @@ class Kinds(PageTest):
         self.assertIn("the camera's bokeh picture and normal; a render", self.text("left-out"))
 
     def test_other_items_stay_in_the_block(self):
-        scene = self.with_lens("tilt_lens { f_stop 2 denoise off focus_peaking rgb <1, 0, 0>, 2 }")
+        scene = self.with_lens("tilt_lens { f_stop 2 denoise off budget 12 focus_peaking rgb <1, 0, 0>, 2 }")
         self.open(scene)
         self.set_number("tilt", 3)
-        for item in ("denoise off", "focus_peaking rgb <1, 0, 0>, 2"):
+        for item in ("denoise off", "budget 12", "focus_peaking rgb <1, 0, 0>, 2"):
             self.assertIn(f"\n  {item}\n", self.text("block"))
         self.press("#write")
         self.until("the change", lambda: "Written" in self.text("file-said"))
-        self.assertIn("denoise off\n    focus_peaking rgb <1, 0, 0>, 2\n  }", scene.read_text())
-        self.true_picture(160)  # with denoise, without the tint
+        self.assertIn("denoise off\n    budget 12\n    focus_peaking rgb <1, 0, 0>, 2\n  }", scene.read_text())
+        self.true_picture(160)  # with denoise, without the tint; with a budget, the picture's own variance would be refused
         self.smooth()
         self.assertLess(self.run(harness.DIFFERENCE)["rmse"], 0.05)
 

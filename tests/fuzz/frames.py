@@ -17,7 +17,7 @@ plane { y, -1 pigment { checker rgb 0.9, rgb 0.2 } }
 light_source { <4, 8, -6>, rgb 1 }
 background { rgb <0.3, 0.5, 0.8> }
 """
-CAMERA = "camera {{ location <0.4, 1.5, -4> look_at <0, 0.5, 0.5> angle 45 aperture 0.3 blur_samples 2, 4\n" "tilt_lens {{{}}} }}\n"
+CAMERA = "camera {{ location <0.4, 1.5, -4> look_at <0, 0.5, 0.5> angle 45 aperture 0.3 blur_samples 2, 16\n" "tilt_lens {{{}}} }}\n"
 
 
 def _animate(povray, folder, first, last):

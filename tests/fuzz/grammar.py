@@ -15,6 +15,7 @@ FREE = (
     "blades",
     "blade_curvature",
     "squeeze",
+    "budget",
     "denoise",
     "sample_seed",
     "edge_light",
@@ -142,6 +143,8 @@ class Grammar:
             return r.choice(("Ball", "Nothing", "sphere { 0, 1 }"))
         if word == "sample_seed":
             return r.choice(("0", "1", "4294967295", str(r.randint(0, 10**9))))
+        if word == "budget":
+            return self.number(4, 12)
         if word == "shift":
             return self.vector(2, -30, 30)
         if word == "blades":

@@ -47,4 +47,4 @@ class Record:
         """Also in the true picture; without an index, of the camera in use."""
         index = self.index_in_use() if index is None else index
         found = self.kept(self.cameras[index]) if index is not None else []
-        return [item for item in found if item.split()[0] not in scene_text.AIDS]
+        return [item for item in found if item.split()[0] not in scene_text.NOT_IN_PICTURE]

@@ -4,7 +4,7 @@
 
 import re
 
-# items written by the page; kept items; focus aids, which the true picture omits
+# items written by the page; kept items; those that the true picture omits, having a quality of its own
 WRITTEN = (
     "film_width",
     "focal_length",
@@ -26,7 +26,7 @@ WRITTEN = (
     "film_distance",
     "focus_scale",
 )
-AIDS = ("focus_peaking", "focus_map", "show_planes")
+NOT_IN_PICTURE = ("budget", "focus_peaking", "focus_map", "show_planes")
 KEPT = (
     "blade_curvature",
     "squeeze",
@@ -39,7 +39,7 @@ KEPT = (
     "axial_colour",
     "denoise",
     "sample_seed",
-    *AIDS,
+    *NOT_IN_PICTURE,
 )
 # the page models the ideal lens, and its focal length would conflict
 REFUSED = ("prescription", "dispersion")

@@ -75,6 +75,7 @@ struct Statement
     Character character;
     std::shared_ptr<const Prescription> prescription;  ///< scaled lens of glass (solve.h); null: thin lens
     bool dispersion = false;
+    double budget = 0.0;                       ///< mean samples of a pixel, replaces the variance (sampling/budget.h); 0: none
     bool denoise = true;                       ///< reconstruct the picture (reconstruction.h)
     std::uint32_t sampleSeed = 0;
 

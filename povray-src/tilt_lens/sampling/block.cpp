@@ -221,7 +221,7 @@ Rows Block::NoisyRows(const SamplingLimits& limits) const
         double variance = 0.0;
         for (std::uint32_t x = 0; x < area.width; x++)
             variance += results[y * area.width + x].variance;
-        if (variance > settings.leastRowVariance * limits.variance * area.width)
+        if (variance > settings.leastRowVariance * std::min(limits.variance, limits.filtered) * area.width)
             rows = {std::min(rows.begin, y), y + 1};
     }
     return rows;

@@ -22,6 +22,7 @@ struct SamplingLimits
     double variance = 1e-4;             ///< of a pixel's value; above brightness 1 relative to its square
     double confidence = 0.9;            ///< probability that the variance is lower, (0, 1)
     bool denoise = false;               ///< filter noise (reconstruction.h)
+    double filtered = 1.0;              ///< noise is filtered as if `variance` were at most this
 
     /// Samples of every pixel's first round: min, rounded up to a power of two, at most max.
     std::uint32_t FirstRound() const

@@ -11,7 +11,7 @@ syn keyword povTiltLensItem  contained containedin=povTiltLensBlock
       \ tilt swing focus_tilt focus_swing focal_plane focal_points
       \ sharp_points sharp_within circle_of_confusion
       \ focus_on focus_at film_distance focus_scale sample_seed
-      \ shift film_width focal_length scene_unit f_stop blades blade_curvature squeeze denoise
+      \ shift film_width focal_length scene_unit f_stop blades blade_curvature squeeze denoise budget
       \ edge_light natural_vignetting optical_vignetting distortion field_curvature
       \ lateral_colour axial_colour prescription dispersion
       \ focus_peaking focus_map show_planes

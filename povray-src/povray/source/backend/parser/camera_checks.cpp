@@ -9,6 +9,7 @@
 #include "tilt_lens/glass/dispersion.h"
 #include "tilt_lens/glass/glass_lens.h"
 #include "tilt_lens/glass/prescription.h"
+#include "tilt_lens/sampling/sampling_limits.h"
 
 #include "base/povdebug.h"
 
@@ -130,6 +131,27 @@ void RequireSharpPoints(const Camera& camera)
                word, limit, s.fStop ? "f_stop" : "aperture", s.fStop ? *s.fStop : camera.Aperture, word, s.fStop ? "f_stop" : "aperture");
 }
 
+/// A budget needs pixels that may take more rays than others, and nothing else may say how many.
+void RequireFreeSamples(const Camera& camera)
+{
+    const double budget = camera.TiltLens.statement.budget;
+    if (budget == 0.0)
+        return;
+    if (camera.TiltLens.items.variance)
+        Refuse("budget %g and variance %g in one camera: both say how many rays are taken. One is allowed; remove budget or variance.",
+               budget, camera.Variance);
+    const unsigned int least = camera.Blur_Samples_Min;
+    const unsigned int most = camera.Blur_Samples > 0 ? camera.Blur_Samples : tilt_lens::SamplingLimits().max;
+    if (least >= most)
+        Refuse("budget %g and blur_samples %u, %u in one camera: each pixel takes %u rays, so that none can be spent elsewhere. Remove "
+               "blur_samples or its first number, or budget.",
+               budget, least, most, most);
+    if (budget >= most)
+        Refuse("budget %g and blur_samples with the maximum %u in one camera: no pixel may take more than %u rays, so the mean must be "
+               "less. Give blur_samples a larger maximum, or a smaller budget.",
+               budget, most, most);
+}
+
 void RequireAperture(const Camera& camera)
 {
     const TiltLensCamera& lens = camera.TiltLens;
@@ -149,18 +171,23 @@ void RequireConsistent(const Camera& camera)
     RequireOneLens(camera);
     RequireFilm(camera.TiltLens.statement);
     RequireSharpPoints(camera);
+    RequireFreeSamples(camera);
     RequireAperture(camera);
 }
 
-void RequireQuality(const CameraDraft& draft)
+void RequireQuality(const CameraDraft& draft, double budget)
 {
-    if (!(draft.variance >= 0.0 && draft.variance <= 1.0))
+    if (draft.variance && !(*draft.variance >= 0.0 && *draft.variance <= 1.0))
         Refuse("variance %g in a camera with tilt_lens. 0 to 1 is allowed, 1/10000 is the default; give another value or remove variance.",
-               draft.variance);
+               *draft.variance);
     if (!(draft.confidence > 0.0 && draft.confidence <= 1.0))
         Refuse("confidence %g in a camera with tilt_lens. More than 0 and less than 1 is allowed, 0.9 is the default; give another value "
                "or remove confidence.",
                draft.confidence);
+    if (budget > 0.0 && draft.confidence == 1.0)
+        Refuse("budget %g and confidence 1 in one camera: with this confidence each pixel takes all of blur_samples. Remove confidence; "
+               "0.9 is the default.",
+               budget);
 }
 
 void RequireFocalPoint(const TiltLensCamera& lens)

@@ -17,8 +17,8 @@ namespace pov
 
 void RequireConsistent(const Camera& camera);
 
-/// Other cameras get a warning and the default.
-void RequireQuality(const CameraDraft& draft);
+/// `variance` and `confidence`; other cameras get a warning and the default.
+void RequireQuality(const CameraDraft& draft, double budget);
 
 /// Tilt and swing turn the plane of sharp focus about this point.
 void RequireFocalPoint(const TiltLensCamera& lens);

@@ -297,6 +297,7 @@ void TiltLensParser::TakeCameraItems(Camera& camera)
     TiltLensCamera& lens = camera.TiltLens;
     lens.items.angle = camera.Angle != HUGE_VAL;
     lens.items.aperture = draft.aperture || camera.Aperture != 0.0;
+    lens.items.variance = lens.items.variance || draft.variance;
     // unwritten ones are infinite
     const VECTOR& point = camera.Focal_Point[X] != HUGE_VAL ? camera.Focal_Point : camera.Look_At;
     if (point[X] != HUGE_VAL)
@@ -314,7 +315,7 @@ void TiltLensParser::TakeCameraItems(Camera& camera)
         ErrorAt(lens.place, "The default camera's tilt_lens meets a camera that is not perspective. Only the perspective camera has a "
                             "lens; remove the block from the default camera.");
     WarningAt(lens.place, FocalPointWarning(camera));
-    At(lens.place, [&] { RequireQuality(draft); });
+    At(lens.place, [&] { RequireQuality(draft, lens.statement.budget); });
     if (draft.confidence == 1.0)
     {
         camera.Confidence = std::nextafter(1.0, 0.0);
@@ -368,6 +369,7 @@ void TiltLensParser::SolveLens(Camera& camera)
     At(lens.place, [&]
     {
         TiltLensCamera::Solve(camera);
+        TiltLensView::RequireBudget(camera, parser.sceneData);
         if (!draft.hasBlock)
             return;
         TiltLensView::RequireLight(camera, parser.sceneData);

@@ -25,9 +25,10 @@ struct Sym_Table_Entry;
 struct CameraDraft
 {
     bool hasBlock = false;
-    bool aperture = false;                    ///< written, even as 0
-    double variance = 0.0, confidence = 0.9;  ///< written or default
-    tilt_lens::Vec3 facade;  ///< lower left to lower right corner of Tilt_Lens_Facade; 0: none
+    bool aperture = false;           ///< written, even as 0
+    std::optional<double> variance;  ///< as written
+    double confidence = 0.9;         ///< written or default
+    tilt_lens::Vec3 facade;          ///< lower left to lower right corner of Tilt_Lens_Facade; 0: none
 
     struct Warning
     {

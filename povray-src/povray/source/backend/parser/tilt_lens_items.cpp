@@ -35,6 +35,7 @@ NumberRange Within(double least, double most, const char* meaning)
 
 const NumberRange kSwitch = kFinite;  // `on` and `off` are numbers
 const NumberRange kBlades = {3, 1000, "A diaphragm has a whole number of blades from 3 to 1000; leave blades out for a round one.", true};
+const NumberRange kBudget = Within(1, 10000, "mean number of rays a pixel");
 const NumberRange kSeed = {0, 4294967295.0, "It takes a whole number from 0 to 4294967295; give another one, such as frame_number.", true};
 const NumberRange kEdgeLight = Within(-kMostEdgeLight, kMostEdgeLight, "light in the middle to light at the rim; 0 is even");
 const NumberRange kRim = Within(0, kMostOpticalVignetting, "lens diameters by which the rim covers the corners' aperture");
@@ -73,6 +74,7 @@ const std::vector<TiltLensItem> kTiltLensItems = {
     {"axial_colour", "MM", "0.1", {{kFringe, SET(statement.character.axialColour)}}},
     {"prescription", "\"FILE\" [, MM]", "\"tessar.dat\"", {}, ReadPrescription},
     {"dispersion", "on/off", "on", {{kSwitch, SET(statement.dispersion)}}},
+    {"budget", "RAYS", "12", {{kBudget, SET(statement.budget)}}},
     {"denoise", "on/off", "on", {{kSwitch, SET(statement.denoise)}}},
     {"sample_seed", "N", "frame_number", {{kSeed, SET(statement.sampleSeed)}}},
     {"tilt", "DEG", "6", {{kFinite, SET(statement.tilt)}}, NULL, FocusFamily::LensTurn},

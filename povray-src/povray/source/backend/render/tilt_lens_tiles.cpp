@@ -5,6 +5,7 @@
 /// Renders the tiles of a picture with `tilt_lens` in one thread.
 
 #include <algorithm>
+#include <functional>
 #include <vector>
 
 #include "backend/frame.h"
@@ -14,6 +15,7 @@
 #include "backend/render/trace_aids.h"
 #include "backend/render/tracetask.h"
 #include "backend/scene/view.h"
+#include "tilt_lens/sampling/budget.h"
 #include "tilt_lens/sampling/tile_sampler.h"
 
 #include "base/povdebug.h"
@@ -24,11 +26,25 @@ namespace pov
 namespace
 {
 
+/// Takes part in the choice of the variance for the picture's budget.
+void RunPilot(TiltLensTracer& tracer, RadiosityFunction& radiosity, bool apart, const std::function<void()>& cooperate)
+{
+    const auto trace = [&](const tilt_lens::SampleRun& run, tilt_lens::SampleResult* results) { tracer.samples.Trace(run, results); };
+    while (const auto task = tracer.view->pilot->NextTask())
+    {
+        // light found here counts for no tile whose pixels may not depend on others
+        radiosity.BeforeTile(apart ? -1 - int(task->block) : 0);
+        tracer.view->pilot->Take(*task, trace);
+        radiosity.AfterTile();
+        cooperate();
+    }
+}
+
 /// Traces test pixels, shared among threads, to weight the progress display.
 void EstimateWork(TiltLensTracer& tracer)
 {
     static_assert(tilt_lens::settings.probeSamples <= tilt_lens::settings.cameraRaysOfBatch, "they are one run");
-    const tilt_lens::SamplingLimits& limits = tracer.view->camera.limits;
+    const tilt_lens::SamplingLimits& limits = tracer.view->Limits();
     const unsigned int count = std::min(tilt_lens::settings.probeSamples, limits.max);
     const RenderStatistics& stats = tracer.Stats();
     const auto raysTraced = [&] { return stats[Number_Of_Rays] + stats[Shadow_Ray_Tests]; };
@@ -50,10 +66,18 @@ void TraceTile(TiltLensTracer& tracer, const ViewData& view, const POVRect& rect
                std::vector<TiltLensEffort>& effort)
 {
     const tilt_lens::Area tile = AreaOf(rect);
-    tilt_lens::BlockCache own(tracer.view->camera.limits, view.GetWidth(), view.GetHeight(), tile);
-    tilt_lens::TileSampler sampler(alone ? own : *tracer.view->blocks);
+    tilt_lens::BlockCache own(tracer.view->Limits(), view.GetWidth(), view.GetHeight(), tile);
+    tilt_lens::TileSampler sampler(alone ? own : tracer.view->Blocks());
     tracer.areaLights.sampled = tracer.areaLights.skipped = tracer.samples.refusedRays = 0;
-    sampler.Run(tile, [&](const tilt_lens::SampleRun& run, tilt_lens::SampleResult* results) { tracer.samples.Trace(run, results); });
+    const auto trace = [&](const tilt_lens::SampleRun& run, tilt_lens::SampleResult* results) { tracer.samples.Trace(run, results); };
+    if (const tilt_lens::BudgetPilot* const pilot = tracer.view->pilot.get())
+        sampler.Run(tile, [&](const tilt_lens::SampleRun& run, tilt_lens::SampleResult* results)
+        {
+            if (!pilot->Get(run, results))
+                trace(run, results);
+        });
+    else
+        sampler.Run(tile, trace);
     for (unsigned int y = tile.top; y < tile.Bottom(); y++)
         for (unsigned int x = tile.left; x < tile.Right(); x++)
         {
@@ -80,6 +104,8 @@ void TraceTask::TiltLensSampling()
     unsigned int serial;
 
     TiltLensTracer& tracer = *TiltLensTracer::Of(trace);
+    if (tracer.view->pilot)
+        RunPilot(tracer, radiosity, highReproducibility, [this] { Cooperate(); });
     EstimateWork(tracer);
     while (GetViewData()->GetNextRectangle(rect, serial) == true)
     {

@@ -39,7 +39,7 @@ struct TiltLensPlace
 /// Items of the statement, for a block behind the camera's identifier.
 struct CameraItems
 {
-    bool angle = false, aperture = false;
+    bool angle = false, aperture = false, variance = false;
     bool focalPoint = false;  ///< `focal_point` or `look_at`: the statement's focalPoint
 };
 

@@ -14,6 +14,7 @@
 #include "tilt_lens/glass/field_aberrations.h"
 #include "tilt_lens/glass/inner_focus.h"
 #include "tilt_lens/lens_camera/sharp_points.h"
+#include "tilt_lens/sampling/budget.h"
 
 #include "base/povdebug.h"
 
@@ -255,9 +256,25 @@ std::string PlaneOf(const Camera& camera, const tilt_lens::Lens& lens)
            Line("    turned by..........%.4g degrees against the film\n", Tidy(FocusAngleOf(lens)));
 }
 
+/// The budget, what became of it, and the speed from which a budget for another size follows.
+std::string BudgetOf(const TiltLensView& view, const tilt_lens::SamplingStatistics& statistics, double seconds)
+{
+    if (!view.pilot)
+        return "";
+    const tilt_lens::BudgetPilot& pilot = *view.pilot;
+    const tilt_lens::BudgetRound& chosen = pilot.Chosen();
+    const double pixels = std::max<double>(1.0, statistics.Pixels());
+    std::string text = Line("  Budget...............%.4g samples a pixel, %.4g taken (%.2g in vain)\n", pilot.Budget(),
+                            statistics.Samples() / pixels + pilot.Lost(), pilot.Lost());
+    text += Line("    variance...........%.3g, chosen for this budget\n", chosen.variance);
+    if (seconds > 0.0)
+        text += Line("    speed..............%.0f samples a second\n", (statistics.Samples() + pilot.Lost() * pixels) / seconds);
+    return text;
+}
+
 std::string SkippedOf(const TiltLensView& view, const tilt_lens::SamplingStatistics& statistics)
 {
-    const tilt_lens::SamplingLimits& limits = view.camera.limits;
+    const tilt_lens::SamplingLimits& limits = view.Limits();
     const double pixels = statistics.Pixels();
     std::string text;
     const auto stopped = statistics.pixelsBySamples.find(limits.max);
@@ -303,7 +320,7 @@ std::string SkippedOf(const TiltLensView& view, const tilt_lens::SamplingStatist
 
 std::string SummarizeTiltLens(const TiltLensView& view, const TiltLensCost& cost)
 {
-    const tilt_lens::SamplingLimits& limits = view.camera.limits;
+    const tilt_lens::SamplingLimits& limits = view.Limits();
     const tilt_lens::SamplingStatistics statistics = view.Statistics();
     std::string text = "Tilt Lens Sampling\n";
     text += Line("  Time.................%.3f seconds, %.3f of CPU on ", cost.seconds, cost.cpuSeconds) + Count(cost.threads, "thread") +
@@ -314,10 +331,12 @@ std::string SummarizeTiltLens(const TiltLensView& view, const TiltLensCost& cost
     const double pixels = std::max<double>(1.0, statistics.Pixels());
     text += Line("  Samples per pixel....mean %.1f, 99%% %.0f, most %.0f\n", statistics.Samples() / pixels, statistics.Quantile(0.99),
                  statistics.Most());
+    text += BudgetOf(view, statistics, cost.seconds);
     if (limits.max < 2)
         return text + "  Standard error.......unknown: one sample per pixel gives no estimate\n" + SkippedOf(view, statistics);
     text += Line("  Standard error.......%.2g of white (estimated), ", statistics.StandardError());
-    text += limits.variance > 0.0 ? Line("%.2g asked for\n", std::sqrt(limits.variance)) : std::string("all samples asked for\n");
+    text += limits.variance > 0.0 ? Line(view.pilot ? "%.2g by the variance\n" : "%.2g asked for\n", std::sqrt(limits.variance))
+                                  : std::string("all samples asked for\n");
     return text + SkippedOf(view, statistics);
 }
 

@@ -4,6 +4,7 @@
 #include "backend/scene/tilt_lens_view.h"
 
 #include <algorithm>
+#include <cstdio>
 
 #include "backend/frame.h"
 #include "backend/colour/colour.h"
@@ -17,6 +18,7 @@
 #include "backend/scene/tilt_lens_report.h"
 #include "backend/scene/view.h"
 #include "backend/texture/pigment.h"
+#include "tilt_lens/sampling/budget.h"
 
 #include "base/povdebug.h"
 
@@ -67,7 +69,7 @@ tilt_lens::SamplingLimits LimitsOf(const Camera& camera)
     tilt_lens::SamplingLimits limits;
     limits.min = camera.Blur_Samples_Min;
     limits.max = camera.Blur_Samples;
-    limits.variance = camera.Variance;
+    limits.variance = camera.TiltLens.statement.budget > 0.0 ? tilt_lens::UsualVariance(camera.TiltLens.statement.budget) : camera.Variance;
     limits.confidence = camera.Confidence;
     limits.denoise = camera.TiltLens.statement.denoise;
     return limits;
@@ -83,10 +85,46 @@ std::size_t ObjectsWithInterior(const SceneData& scene)
 TiltLensView::TiltLensView(const Camera& given, ViewData& view) :
     camera(LensCameraOf(given, view.GetSceneData()), LimitsOf(given),
            {view.GetWidth(), view.GetHeight(), EmittersOf(*view.GetSceneData(), given)}, given.TiltLens.statement.sampleSeed),
-    blocks(new tilt_lens::BlockCache(camera.limits, view.GetWidth(), view.GetHeight(), AreaOf(view.GetRenderArea()))),
     aroundLens(ObjectsAroundLens(given, *given.TiltLens.lens, *view.GetSceneData())),
-    objectsWithInterior(ObjectsWithInterior(*view.GetSceneData()))
+    objectsWithInterior(ObjectsWithInterior(*view.GetSceneData())),
+    width(view.GetWidth()),
+    height(view.GetHeight()),
+    rendered(AreaOf(view.GetRenderArea()))
 {
+    const double budget = given.TiltLens.statement.budget;
+    if (budget > 0.0 && !given.TiltLens.aids.Any())
+        pilot.reset(new tilt_lens::BudgetPilot(camera.limits, width, height, budget));
+}
+
+const tilt_lens::SamplingLimits& TiltLensView::Limits() const
+{
+    return pilot ? pilot->Limits() : camera.limits;
+}
+
+tilt_lens::BlockCache& TiltLensView::Blocks()
+{
+    boost::mutex::scoped_lock lock(blocksMutex);
+    if (!blocks)
+        blocks.reset(new tilt_lens::BlockCache(Limits(), width, height, rendered));
+    return *blocks;
+}
+
+void TiltLensView::RequireBudget(const Camera& camera, shared_ptr<SceneData> scene)
+{
+    const double budget = camera.TiltLens.statement.budget;
+    if (budget == 0.0)
+        return;
+    tilt_lens::SamplingLimits limits = LimitsOf(camera);
+    if (limits.min == 0)
+        limits.SetUsualMinimum(LensCameraOf(camera, scene)->CanAimAtEmitters());
+    const unsigned int least = limits.FirstRound();
+    char text[240];
+    std::snprintf(text, sizeof text,
+                  "budget %g in a camera whose pixels take at least %u rays each, their first round. At least %u is allowed; "
+                  "give a larger budget, or a lower minimum to blur_samples.",
+                  budget, least, least);
+    if (budget < least)
+        throw tilt_lens::OpticsError(text);
 }
 
 void TiltLensView::RequireLight(const Camera& camera, shared_ptr<SceneData> scene)
@@ -152,6 +190,7 @@ void View::StartTiltLens(unsigned int& tracingmethod)
         FinishCameraRecord(camera, viewData.sceneData, viewData.width);
         if (!camera.TiltLens.given)
             return;
+        TiltLensView::RequireBudget(camera, viewData.sceneData);
         viewData.tiltLens = TiltLensView::Create(camera, viewData);
 
         const TiltLensAids* aids = viewData.tiltLens ? viewData.tiltLens->aids.get() : NULL;
@@ -169,13 +208,15 @@ void View::StartTiltLens(unsigned int& tracingmethod)
         messages.ErrorAt(POV_EXCEPTION(kParamErr, error.what()), place.file.c_str(), place.line, place.column, place.offset, "%s",
                          error.what());
     }
+    if (!viewData.tiltLens && camera.TiltLens.statement.budget > 0.0)
+        warn("budget has no effect in a camera without an aperture: POV-Ray's own camera renders it, with the rays of anti-aliasing (+A).");
     if (!viewData.tiltLens)
         return;
     if (tracingmethod != 0)
         warn(viewData.tiltLens->aids ? "Anti-aliasing (+A) is not used with focus_peaking, focus_map or show_planes: they "
                                        "take one ray a pixel."
                                      : "Anti-aliasing (+A) adds nothing to a picture with tilt_lens and an aperture: its "
-                                       "samples cover the pixel already. blur_samples and variance set the quality.");
+                                       "samples cover the pixel already. blur_samples and variance or budget set the quality.");
     tracingmethod = TiltLensView::kTracingMethod;
     PlanTiltLensWork();
 }

@@ -23,6 +23,11 @@
 #include "tilt_lens/sampling/sampled_camera.h"
 #include "tilt_lens/sampling/sampling_statistics.h"
 
+namespace tilt_lens
+{
+class BudgetPilot;
+}
+
 namespace pov
 {
 
@@ -49,9 +54,20 @@ class TiltLensView
     /// @throws tilt_lens::OpticsError  optical_vignetting leaves at most 1 per cent of the light in the picture's middle
     static void RequireLight(const Camera& camera, shared_ptr<SceneData> scene);
 
+    /// Checks that `budget` suffices for the first round of samples.
+    /// @throws tilt_lens::OpticsError
+    static void RequireBudget(const Camera& camera, shared_ptr<SceneData> scene);
+
     const tilt_lens::SampledCamera camera;
 
-    const shared_ptr<tilt_lens::BlockCache> blocks;
+    /// Chooses the variance for `budget`; NULL without it.
+    shared_ptr<tilt_lens::BudgetPilot> pilot;
+
+    /// Of the picture, once the pilot, if any, has chosen the variance.
+    const tilt_lens::SamplingLimits& Limits() const;
+
+    /// The blocks being sampled; after the pilot.
+    tilt_lens::BlockCache& Blocks();
 
     const std::vector<ObjectAroundLens> aroundLens;
 
@@ -76,6 +92,11 @@ class TiltLensView
 
   private:
     TiltLensView(const Camera& camera, ViewData& view);
+
+    const unsigned int width, height;
+    const tilt_lens::Area rendered;
+    boost::mutex blocksMutex;
+    shared_ptr<tilt_lens::BlockCache> blocks;
 
     mutable boost::mutex statisticsMutex;
     tilt_lens::SamplingStatistics statistics;

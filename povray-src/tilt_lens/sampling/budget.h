@@ -1,0 +1,101 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file budget.h
+/// The variance target with which a picture takes a given mean number of samples: docs/sampling.md, section 9. The stop rule then spends
+/// them where they lower the error most.
+///
+/// A pilot samples blocks that are spread over the whole picture with several variance targets, and chooses one: first a few of its blocks,
+/// then all of them. Each sample is traced once: the pilot and the picture take recorded ones where they can. The choice depends on scene,
+/// picture size and budget alone, never on threads, tiles or the part of the picture that is rendered.
+
+#ifndef TILT_LENS_BUDGET_H
+#define TILT_LENS_BUDGET_H
+
+#include <condition_variable>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "tilt_lens/sampling/block.h"
+#include "tilt_lens/sampling/budget_search.h"
+#include "tilt_lens/sampling/sample_record.h"
+
+namespace tilt_lens
+{
+
+/// Thread-safe.
+class BudgetPilot
+{
+  public:
+    /// @param limits         the variance is not used
+    /// @param width, height  of the whole picture, pixels
+    /// @param budget         mean samples per pixel
+    /// @param recordBytes    memory of the recorded samples, which bounds the number of blocks of the pilot
+    BudgetPilot(const SamplingLimits& limits, std::uint32_t width, std::uint32_t height, double budget,
+                double recordBytes = 256.0 * 1024 * 1024);
+
+    /// One step of one block.
+    struct Task
+    {
+        std::size_t block;  ///< place in the picture, row by row
+    };
+
+    /// The next task, perhaps after waiting for other threads; nothing once the target is chosen.
+    std::optional<Task> NextTask();
+    /// Takes a task. If the tracer throws, the task will be given to the next thread that asks.
+    void Take(const Task& task, const Tracer& trace);
+
+    /// @name After the last task.
+    /// @{
+    const SamplingLimits& Limits() const { return limits; }  ///< with the chosen variance
+    const BudgetRound& Chosen() const { return chosen; }
+    double Lost() const { return recorded - chosen.used; }  ///< samples per pixel that the picture does not need
+    double Budget() const { return budget; }
+    /// Copies samples if the pilot has taken all of them.
+    bool Get(const SampleRun& run, SampleResult* results) const;
+    /// @}
+
+  private:
+    const double budget;
+    const std::uint32_t width, height, columns, rows;  ///< of the picture; in pixels, in blocks
+    SamplingLimits limits;
+
+    struct Blocks
+    {
+        std::vector<std::size_t> counted;  ///< places of the blocks whose samples are counted, in a fixed order
+        std::vector<std::size_t> looked;  ///< of these and their neighbours, whose first rounds they need
+    };
+    Blocks few, all;
+
+    std::mutex mutex;
+    std::condition_variable changed;
+    bool trying = true;  ///< with the few blocks
+    int step = 0;  ///< of Block
+    std::size_t given = 0, ended = 0;  ///< tasks of this step
+    std::vector<Task> again;  ///< interrupted tasks
+    bool done = false;
+
+    std::vector<std::unique_ptr<Block>> blocks;  ///< of this round, by place; null: not looked at
+    std::vector<std::unique_ptr<SampleRecord>> records;  ///< by place
+    BudgetRounds trials, rounds;
+    double recorded = 0.0;
+    BudgetRound chosen;
+
+    Area PixelsOf(std::size_t place) const;
+    Block::Neighbours NeighboursOf(std::size_t place) const;
+    std::vector<std::size_t> ChosenPlaces(double recordBytes) const;
+    Blocks WithNeighbours(const std::vector<std::size_t>& places) const;
+    const Blocks& Sampled() const { return trying ? few : all; }
+    const std::vector<std::size_t>& Places() const { return step == 0 ? Sampled().looked : Sampled().counted; }
+    void BeginRound(double variance);
+    void EndStep();
+    void EndRound();
+    BudgetRound Measure() const;
+};
+
+}  // namespace tilt_lens
+
+#endif

@@ -1,0 +1,55 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file sample_record.h
+/// Samples that are kept after they were traced, so that a block can be sampled again without tracing them again.
+
+#ifndef TILT_LENS_SAMPLE_RECORD_H
+#define TILT_LENS_SAMPLE_RECORD_H
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "tilt_lens/math/area.h"
+#include "tilt_lens/sampling/sample.h"
+
+namespace tilt_lens
+{
+
+/// The first samples of each pixel of an area.
+class SampleRecord
+{
+  public:
+    explicit SampleRecord(const Area& area) : area(area), pixels(area.Size()) {}
+
+    /// Copies samples of a pixel of the area if all of them are recorded.
+    bool Get(const SampleRun& run, SampleResult* results) const;
+    /// As Get(); samples that are missing are traced and recorded. Each pixel's samples must be requested in order.
+    void GetOrTrace(const SampleRun& run, SampleResult* results, const Tracer& trace);
+
+    std::uint64_t Samples() const { return samples; }
+
+    /// Memory of `samples` samples of a pixel.
+    static std::size_t BytesOf(double samples);
+
+  private:
+    struct Recorded
+    {
+        Radiance radiance;
+        double expectedEmission;
+    };
+    struct Pixel
+    {
+        std::vector<Recorded> samples;
+        std::vector<CircleOfConfusion> circles;  ///< of the samples that are spread
+    };
+
+    const Area area;
+    std::vector<Pixel> pixels;
+    std::uint64_t samples = 0;
+};
+
+} // namespace tilt_lens
+
+#endif
