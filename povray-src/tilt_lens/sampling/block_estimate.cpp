@@ -29,7 +29,8 @@ FirstRound::FirstRound(const BlockEstimate& estimate) : samples(estimate.firstSa
         for (std::uint32_t x = radius; x + radius < area.width; x++)
         {
             const std::size_t i = y * area.width + x;
-            loneVariance += std::max(0.0, 2.0 * variances[i] - around * means[i]) / inside;
+            if (estimate.pixels[i].statistics.EmitterSamples() == 0)  // else the feature is known, and is searched for
+                loneVariance += std::max(0.0, 2.0 * variances[i] - around * means[i]) / inside;
         }
 }
 

@@ -6,11 +6,28 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "tilt_lens/math/window.h"
 
 namespace tilt_lens
 {
+
+namespace
+{
+
+/// That n samples all miss a light, if a single light against darkness explains mean and variance of others.
+double MissProbability(double squaredMean, double variance, double n)
+{
+    return squaredMean > 0.0 ? std::exp(-squaredMean / (squaredMean + variance) * n) : 1.0;
+}
+
+double SquaredSum(const Radiance& light)
+{
+    return std::inner_product(light.begin(), light.end(), light.begin(), 0.0);
+}
+
+} // namespace
 
 CircleVariance::CircleVariance(const PaddedSpread* spread, std::size_t at, double samples)
 {
@@ -23,9 +40,7 @@ CircleVariance::CircleVariance(const PaddedSpread* spread, std::size_t at, doubl
         squaredMean += Square(plane[at]);
     if (!(squaredMean > 0.0) || !std::isfinite(squaredMean + total))
         return;
-    // fraction of received samples that hit a light, if a single light against darkness explains both moments
-    const double hits = squaredMean / (squaredMean + total), missed = std::exp(-hits * samples);
-    weight = missed * others / (others + samples - 1.0);
+    weight = MissProbability(squaredMean, total, samples) * others / (others + samples - 1.0);
     for (std::size_t c = 0; c < spread->mean.size(); c++)
         share[c] = Square(spread->mean[c][at]) / squaredMean;
 }
@@ -57,15 +72,22 @@ std::vector<double> VariancesToDecide(const BlockEstimate& estimate)
     std::vector<double> variances(estimate.pixels.size());
     if (!estimate.HasNoise())
         return variances;
-    std::vector<Radiance> own;
+    std::vector<Radiance> own, light;
     for (const PixelEstimate& pixel : estimate.pixels)
+    {
         own.push_back(pixel.statistics.Variance());
-    const std::vector<Radiance> around = WindowMeans<settings.neighbourRadius>(own, estimate.area.width);
+        light.push_back(pixel.statistics.Mean());
+    }
+    const auto around = WindowMeans<settings.neighbourRadius>(own, estimate.area.width);
+    const auto lightAround = WindowMeans<settings.neighbourRadius>(light, estimate.area.width);
     for (std::size_t i = 0; i < own.size(); i++)
     {
-        Radiance greater;
+        const double more = std::max(0.0, double(estimate.pixels[i].statistics.Samples()) - settings.mostFirstSamples);
+        const double variance = std::accumulate(around[i].begin(), around[i].end(), 0.0);
+        const double weight = MissProbability(SquaredSum(lightAround[i]), variance, more);
+        Radiance greater = own[i];
         for (std::size_t c = 0; c < greater.size(); c++)
-            greater[c] = std::max(own[i][c], around[i][c]);
+            greater[c] += weight * std::max(0.0, around[i][c] - own[i][c]);
         variances[i] = LargestChannel(VarianceOfMean(estimate, i, greater));
     }
     return variances;
