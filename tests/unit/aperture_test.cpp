@@ -55,14 +55,11 @@ struct Outline
     {
         if (blades == 0)
             return std::hypot(p.a, p.b);
-        double size = 0;
-        for (int i = 0; i < blades; ++i)
-        {
-            const double normal = angle + (2 * i + 1) * M_PI / blades;
-            const double ahead = p.a * std::cos(normal) + p.b * std::sin(normal);
-            size = std::max(size, curvature == 0 ? ahead / std::cos(M_PI / blades) : OnArc(p, ahead));
-        }
-        return size;
+        // the blade whose middle lies nearest to the point's direction bounds it
+        const double turns = (std::atan2(p.b, p.a) - angle) / (2 * M_PI);
+        const double normal = angle + (2 * std::floor(turns * blades) + 1) * M_PI / blades;
+        const double ahead = p.a * std::cos(normal) + p.b * std::sin(normal);
+        return curvature == 0 ? ahead / std::cos(M_PI / blades) : OnArc(p, ahead);
     }
 
     /// Relative radius on the arc whose centre lies on the other side.

@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -177,7 +178,13 @@ TEST(SpreadSums, SharesAreTheWindowOverThatOfAllPossibleSenders)
             continue;
         auto sums = std::make_unique<SpreadSums>(block, kWidth, kHeight);
         sums->Add(column, row, {float(x), float(y), float(a), 0.0f, 0.0f, float(b), &lens}, Radiance{1.0, 1.0, 1.0, 0.0, 0.0});
-        const auto senders = [&](int u, int v) { return SendersTo(u, x, a, left, left + kWidth) * SendersTo(v, y, b, top, top + kHeight); };
+        std::vector<double> along(2 * kReach + 1), down(2 * kReach + 1);  // of the columns and of the rows
+        for (int i = -kReach; i <= kReach; i++)
+        {
+            along[i + kReach] = SendersTo(column + i, x, a, left, left + kWidth);
+            down[i + kReach] = SendersTo(row + i, y, b, top, top + kHeight);
+        }
+        const auto senders = [&](int u, int v) { return along[u - column + kReach] * down[v - row + kReach]; };
         for (int v = row - kReach; v <= row + kReach; v++)
             for (int u = column - kReach; u <= column + kReach; u++)
             {
