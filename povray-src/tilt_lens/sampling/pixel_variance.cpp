@@ -16,10 +16,10 @@ namespace tilt_lens
 namespace
 {
 
-/// That n samples all miss a light, if a single light against darkness explains mean and variance of others.
-double MissProbability(double squaredMean, double variance, double n)
+/// Probability that one sample hits the light, if a single light against darkness explains mean and variance.
+double HitProbability(double squaredMean, double variance)
 {
-    return squaredMean > 0.0 ? std::exp(-squaredMean / (squaredMean + variance) * n) : 1.0;
+    return squaredMean > 0.0 ? squaredMean / (squaredMean + variance) : 0.0;
 }
 
 double SquaredSum(const Radiance& light)
@@ -40,7 +40,7 @@ CircleVariance::CircleVariance(const PaddedSpread* spread, std::size_t at, doubl
         squaredMean += Square(plane[at]);
     if (!(squaredMean > 0.0) || !std::isfinite(squaredMean + total))
         return;
-    weight = MissProbability(squaredMean, total, samples) * others / (others + samples - 1.0);
+    weight = std::exp(-HitProbability(squaredMean, total) * samples) * others / (others + samples - 1.0);
     for (std::size_t c = 0; c < spread->mean.size(); c++)
         share[c] = Square(spread->mean[c][at]) / squaredMean;
 }
@@ -84,7 +84,8 @@ std::vector<double> VariancesToDecide(const BlockEstimate& estimate)
     {
         const double more = std::max(0.0, double(estimate.pixels[i].statistics.Samples()) - settings.mostFirstSamples);
         const double variance = std::accumulate(around[i].begin(), around[i].end(), 0.0);
-        const double weight = MissProbability(SquaredSum(lightAround[i]), variance, more);
+        const double hits = more * HitProbability(SquaredSum(lightAround[i]), variance);
+        const double weight = hits > 0.0 ? -std::expm1(-hits) / hits : 1.0;
         Radiance greater = own[i];
         for (std::size_t c = 0; c < greater.size(); c++)
             greater[c] += weight * std::max(0.0, around[i][c] - own[i][c]);
