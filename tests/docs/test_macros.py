@@ -96,7 +96,7 @@ class Macros(rendering.RenderTest):
     def test_lenses(self):
         """Each lens of the manual's table warns beyond its limits only."""
         rows = table(ROOT / "docs" / "manual.md", "#### Lenses")
-        self.assertEqual(len(rows), 9)
+        self.assertEqual(len(rows), 10)
         for macro, _, focal, stop, tilt, shift in rows:
             focal, stop, tilt, shift = (float(text.split()[0].lstrip("f/")) for text in (focal, stop, tilt, shift))
             fit = report(f"{self.VIEW}{macro}(1000, {stop}, {tilt}, 0, <0, {shift}>)")
