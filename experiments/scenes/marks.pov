@@ -27,6 +27,9 @@ camera
   }
 }
 
+// a sky, so that no samples are aimed at the discs: evenly spread ones measure such large discs better
+sky_sphere { pigment { rgb 0 } }
+
 #default { finish { ambient 0 diffuse 0 emission 1 } }
 
 #for (I, 0, dimension_size(Marks, 1)-1)
