@@ -128,7 +128,7 @@ class Settings(unittest.TestCase):
     def test_lenses_and_films_are_those_of_the_include_file(self):
         found = focus.real_lenses()
         self.assertIn({"name": "Canon TS-E 24mm f/3.5L II", "focalLength": 24, "fStop": 3.5, "tilt": 8.5, "shift": 12}, found["lenses"])
-        self.assertEqual((len(found["lenses"]), len(found["films"])), (9, 10))
+        self.assertEqual((len(found["lenses"]), len(found["films"])), (10, 10))
         self.assertIn({"name": "Full Frame", "size": [36, 24]}, found["films"])
 
 
