@@ -28,7 +28,7 @@ LAMPS = (
 
 
 def numbers(said):
-    """Of the report: samples a pixel that were taken in all, samples of the picture, variance, standard error, that of the variance."""
+    """Numbers of the report: samples a pixel that were taken in all, samples of the picture, variance, standard error, that of the variance."""
     budget = re.search(r"^ +Budget\.+\S+ samples a pixel, (\S+) taken \((\S+) in vain\)$", said, re.MULTILINE)
     mean = re.search(r"^ +Samples per pixel\.+mean ([\d.]+),", said, re.MULTILINE)
     variance = re.search(r"^ +variance\.+(\S+), chosen for this budget$", said, re.MULTILINE)

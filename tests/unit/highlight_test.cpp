@@ -18,7 +18,7 @@ namespace
 
 constexpr double kLensDiameter = 0.5;
 
-/// Share of a sphere's highlight, seen from a point, that lies within the emitter. Even points of the sphere, weighted by what they show.
+/// Share of a sphere's highlight, seen from a point, that lies within the emitter. Points are spread evenly over the sphere, and weighted by the light that they send.
 double Covered(const GlossySphere& sphere, const Vec3& light, const Vec3& eye, const Emitter& emitter)
 {
     constexpr int points = 200000;

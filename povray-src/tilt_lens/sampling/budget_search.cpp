@@ -32,7 +32,7 @@ constexpr double kLeastSlopeFactor = 1.1;
 /// same noise. All blocks do not cross it.
 constexpr double kStep = 0.25, kStepFactor = 1.1;
 
-/// Of the trials, whose blocks are few.
+/// Cost of a trial, whose blocks are few.
 const auto AtMost = [](const BudgetRound& trial) { return trial.AtMost(); };
 
 struct Range

@@ -21,7 +21,7 @@ inline double UsualVariance(double budget)
     return std::min(1.0, 0.01 / budget);
 }
 
-/// What a variance target has cost. All numbers but the first are samples per pixel of the whole picture.
+/// Cost of a variance target. All numbers but the first are samples per pixel of the whole picture.
 struct BudgetRound
 {
     double variance = 0.0;

@@ -18,7 +18,7 @@ namespace pov
 class Camera;
 class SceneData;
 
-/// Finite objects that outshine what may be around them by their own finish (`emission` and `ambient`, with the pigment), and their images in
+/// Finite objects that outshine their surroundings by their own finish (`emission` and `ambient`, with the pigment), and their images in
 /// flat mirrors, relative to the camera's location. Parts of unions count separately, other CSG as a whole; textures by their brightest
 /// layer or entry. Errors of brightness only change the number of samples.
 std::vector<tilt_lens::Emitter> EmittersOf(const SceneData& scene, const Camera& camera);

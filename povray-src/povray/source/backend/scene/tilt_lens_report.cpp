@@ -256,7 +256,7 @@ std::string PlaneOf(const Camera& camera, const tilt_lens::Lens& lens)
            Line("    turned by..........%.4g degrees against the film\n", Tidy(FocusAngleOf(lens)));
 }
 
-/// The budget, what became of it, and the speed from which a budget for another size follows.
+/// The budget, the samples taken of it, and the speed from which a budget for another size follows.
 std::string BudgetOf(const TiltLensView& view, const tilt_lens::SamplingStatistics& statistics, double seconds)
 {
     if (!view.pilot)

@@ -63,7 +63,7 @@ class TiltLensView
     /// Chooses the variance for `budget`; NULL without it.
     shared_ptr<tilt_lens::BudgetPilot> pilot;
 
-    /// Of the picture, once the pilot, if any, has chosen the variance.
+    /// Those of the picture, once the pilot, if any, has chosen the variance.
     const tilt_lens::SamplingLimits& Limits() const;
 
     /// The blocks being sampled; after the pilot.
