@@ -27,6 +27,28 @@ double SquaredSum(const Radiance& light)
     return std::inner_product(light.begin(), light.end(), light.begin(), 0.0);
 }
 
+/// Weights of the variance that the pixels around have more: less than 1 for pixels with more samples than the longest first round.
+std::vector<double> WeightsOf(const BlockEstimate& estimate, const std::vector<Radiance>& variancesAround)
+{
+    std::vector<double> weights(estimate.pixels.size(), 1.0);
+    const auto isBeyond = [](const PixelEstimate& pixel) { return pixel.statistics.Samples() > settings.mostFirstSamples; };
+    if (std::none_of(estimate.pixels.begin(), estimate.pixels.end(), isBeyond))
+        return weights;
+    std::vector<Radiance> light;
+    for (const PixelEstimate& pixel : estimate.pixels)
+        light.push_back(pixel.statistics.Mean());
+    const auto around = WindowMeans<settings.neighbourRadius>(light, estimate.area.width);
+    for (std::size_t i = 0; i < weights.size(); i++)
+    {
+        const double more = std::max(0.0, double(estimate.pixels[i].statistics.Samples()) - settings.mostFirstSamples);
+        const double variance = std::accumulate(variancesAround[i].begin(), variancesAround[i].end(), 0.0);
+        const double hits = more * HitProbability(SquaredSum(around[i]), variance);
+        if (hits > 0.0)
+            weights[i] = -std::expm1(-hits) / hits;
+    }
+    return weights;
+}
+
 } // namespace
 
 CircleVariance::CircleVariance(const PaddedSpread* spread, std::size_t at, double samples)
@@ -72,23 +94,16 @@ std::vector<double> VariancesToDecide(const BlockEstimate& estimate)
     std::vector<double> variances(estimate.pixels.size());
     if (!estimate.HasNoise())
         return variances;
-    std::vector<Radiance> own, light;
+    std::vector<Radiance> own;
     for (const PixelEstimate& pixel : estimate.pixels)
-    {
         own.push_back(pixel.statistics.Variance());
-        light.push_back(pixel.statistics.Mean());
-    }
     const auto around = WindowMeans<settings.neighbourRadius>(own, estimate.area.width);
-    const auto lightAround = WindowMeans<settings.neighbourRadius>(light, estimate.area.width);
+    const std::vector<double> weights = WeightsOf(estimate, around);
     for (std::size_t i = 0; i < own.size(); i++)
     {
-        const double more = std::max(0.0, double(estimate.pixels[i].statistics.Samples()) - settings.mostFirstSamples);
-        const double variance = std::accumulate(around[i].begin(), around[i].end(), 0.0);
-        const double hits = more * HitProbability(SquaredSum(lightAround[i]), variance);
-        const double weight = hits > 0.0 ? -std::expm1(-hits) / hits : 1.0;
         Radiance greater = own[i];
         for (std::size_t c = 0; c < greater.size(); c++)
-            greater[c] += weight * std::max(0.0, around[i][c] - own[i][c]);
+            greater[c] += weights[i] * std::max(0.0, around[i][c] - own[i][c]);
         variances[i] = LargestChannel(VarianceOfMean(estimate, i, greater));
     }
     return variances;

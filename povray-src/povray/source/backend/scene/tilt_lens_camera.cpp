@@ -15,15 +15,16 @@ namespace pov
 
 using tilt_lens::Vec3;
 
-namespace
-{
-
 Vec3 TransformedPoint(const Vec3& p, const TRANSFORM* trans)
 {
     VECTOR v = {p.x, p.y, p.z};
-    MTransPoint(v, v, trans);
+    if (trans != NULL)
+        MTransPoint(v, v, trans);
     return FromPov(v);
 }
+
+namespace
+{
 
 Vec3 TransformedNormal(const Vec3& n, const TRANSFORM* trans)
 {

@@ -30,6 +30,9 @@ inline tilt_lens::Vec3 FromPov(const VECTOR v)
     return {v[X], v[Y], v[Z]};
 }
 
+/// @param trans  NULL leaves the point where it is
+tilt_lens::Vec3 TransformedPoint(const tilt_lens::Vec3& p, const TRANSFORM* trans);
+
 struct TiltLensPlace
 {
     UCS2String file;

@@ -62,7 +62,7 @@ bool IsInfinite(ObjectPtr object)
     return object->BBox.Lengths[X] > CRITICAL_LENGTH;
 }
 
-/// Greatest radiance of what no light source lights: background and infinite objects. White if there is a sky or fog.
+/// Greatest radiance of background and infinite objects, where no light source lights the scene. White if there is a sky or fog.
 double RadianceOfBackground(const SceneData& scene)
 {
     double brightest = BrightestOf(RGBColour(scene.backgroundColour));
@@ -73,8 +73,8 @@ double RadianceOfBackground(const SceneData& scene)
     return sky ? std::max(brightest, tilt_lens::settings.greatestLitRadiance) : brightest;
 }
 
-/// Radiance above which an object outshines what may be around it: lit surfaces, or the background where nothing is lit. At most white;
-/// white if radiosity, in which all objects light the scene.
+/// Radiance above which an object outshines its surroundings: lit surfaces, or the background where nothing is lit. At most white. With
+/// radiosity all objects light the scene, and it is white.
 double LeastRadiance(const SceneData& scene)
 {
     double lights = 0.0;
@@ -87,6 +87,20 @@ double LeastRadiance(const SceneData& scene)
     return std::min(around, tilt_lens::settings.greatestLitRadiance);
 }
 
+/// Calls `visit` with each object, and with the parts of unions in place of these.
+template<class Objects, class Visit>
+void ForEachObject(const Objects& objects, const Visit& visit)
+{
+    for (ObjectPtr object : objects)
+    {
+        const CompoundObject* compound = dynamic_cast<const CompoundObject*>(object);
+        if (compound != NULL && dynamic_cast<const CSGIntersection*>(object) == NULL)
+            ForEachObject(compound->children, visit);
+        else
+            visit(object);
+    }
+}
+
 class Collector
 {
   public:
@@ -94,14 +108,6 @@ class Collector
 
     void Add(ObjectPtr object)
     {
-        const CompoundObject* compound = dynamic_cast<const CompoundObject*>(object);
-        if (compound != NULL && dynamic_cast<const CSGIntersection*>(object) == NULL)
-        {
-            for (ObjectPtr part : compound->children)
-                Add(part);
-            return;
-        }
-        AddFlatMirrors(object, FromPov(camera.Location), mirrors);
         if (IsInfinite(object))
             return;  // samples cannot miss it
         AddHighlights(object, scene, camera, leastRadiance, seen);
@@ -118,6 +124,9 @@ class Collector
     std::vector<tilt_lens::Emitter> Emitters() const
     {
         std::vector<tilt_lens::Emitter> all = seen;
+        std::vector<tilt_lens::FlatMirror> mirrors;
+        if (!reflected.empty())
+            ForEachObject(scene.objects, [&](ObjectPtr object) { AddFlatMirrors(object, FromPov(camera.Location), mirrors); });
         for (const tilt_lens::Emitter& image : tilt_lens::MirrorImages(reflected, mirrors, camera.TiltLens.lens->diameter))
             all.push_back(image);
         return all;
@@ -128,7 +137,6 @@ class Collector
     const Camera& camera;
     double leastRadiance;
     std::vector<tilt_lens::Emitter> seen, reflected;
-    std::vector<tilt_lens::FlatMirror> mirrors;
 };
 
 } // namespace
@@ -136,8 +144,7 @@ class Collector
 std::vector<tilt_lens::Emitter> EmittersOf(const SceneData& scene, const Camera& camera)
 {
     Collector collector(scene, camera);
-    for (ObjectPtr object : scene.objects)
-        collector.Add(object);
+    ForEachObject(scene.objects, [&collector](ObjectPtr object) { collector.Add(object); });
     return collector.Emitters();
 }
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "backend/frame.h"
-#include "backend/math/matrices.h"
 #include "backend/scene/objects.h"
 #include "backend/scene/plain_textures.h"
 #include "backend/scene/tilt_lens_camera.h"
@@ -35,22 +34,14 @@ double ReflectanceOf(const TEXTURE* texture)
     return greatest;
 }
 
-Vec3 Transformed(const Vec3& point, const TRANSFORM* transform)
-{
-    VECTOR v = {point.x, point.y, point.z};
-    if (transform != NULL)
-        MTransPoint(v, v, transform);
-    return FromPov(v);
-}
-
 tilt_lens::FlatMirror PlaneMirror(const Plane& plane, const Vec3& location, double reflectance)
 {
     const Vec3 normal = FromPov(plane.Normal_Vector);
     const Vec3 foot = (-plane.Distance / Dot(normal, normal)) * normal;
     const Vec3 aside = Cross(normal, std::abs(normal.x) < std::abs(normal.y) ? Vec3{1.0, 0.0, 0.0} : Vec3{0.0, 1.0, 0.0});
-    const Vec3 corner = Transformed(foot, plane.Trans);
+    const Vec3 corner = TransformedPoint(foot, plane.Trans);
     return {corner - location,
-            {Transformed(foot + aside, plane.Trans) - corner, Transformed(foot + Cross(normal, aside), plane.Trans) - corner},
+            {TransformedPoint(foot + aside, plane.Trans) - corner, TransformedPoint(foot + Cross(normal, aside), plane.Trans) - corner},
             true,
             reflectance};
 }
@@ -58,7 +49,7 @@ tilt_lens::FlatMirror PlaneMirror(const Plane& plane, const Vec3& location, doub
 /// Faces reflect on the side of the location, which may be within the box.
 void AddFaces(const Box& box, const Vec3& location, double reflectance, std::vector<tilt_lens::FlatMirror>& mirrors)
 {
-    const Vec3 centre = Transformed(0.5 * (FromPov(box.bounds[0]) + FromPov(box.bounds[1])), box.Trans);
+    const Vec3 centre = TransformedPoint(0.5 * (FromPov(box.bounds[0]) + FromPov(box.bounds[1])), box.Trans);
     VECTOR eye = {location.x, location.y, location.z};
     const bool within = box.Inside(eye, NULL) != bool(Test_Flag(&box, INVERTED_FLAG));
     for (int axis = 0; axis < 3; axis++)
@@ -70,7 +61,7 @@ void AddFaces(const Box& box, const Vec3& location, double reflectance, std::vec
                 v[axis] = box.bounds[side][axis];
                 v[(axis + 1) % 3] = box.bounds[first][(axis + 1) % 3];
                 v[(axis + 2) % 3] = box.bounds[second][(axis + 2) % 3];
-                return Transformed(FromPov(v), box.Trans);
+                return TransformedPoint(FromPov(v), box.Trans);
             };
             const Vec3 at = corner(0, 0), along = corner(1, 0) - at, up = corner(0, 1) - at;
             const bool outwards = Dot(Cross(along, up), at - centre) > 0.0;
