@@ -66,10 +66,11 @@ class Kept(AddressPage):
         scene = self.scene()
         self.open(scene)
         self.choose_lens()
-        wanted = self.state()
+        wanted, before = self.state(), self.kept()["of"]
         self.press("#write")
         self.until("the change", lambda: "Written" in self.text("file-said"))
         self.until("the new preview", lambda: "new preview" in self.text("status") and self.drawn())
+        self.until("the address of the changed camera", lambda: self.kept()["of"] != before)
         self.assertEqual(self.state(), wanted)
         self.browser.refresh()
         self.until("the preview", self.drawn)
