@@ -169,13 +169,13 @@ function keep() {
         writeAddress({ of: markOf(startedFor), chosen, clock: cameras.animated ? scene.clock : null, state: model.state, pair: pair.kept, keys: film.keys });
 }
 
-/// If they are of the shown camera.
+/// If they are of the shown camera, or of this lens, which the page may have written before a reload.
 function takeKept() {
     const found = kept;
     kept = null;
     if (!found)
         return;
-    if (found.of === markOf(startedFor) && isState(found.state)) {
+    if (isState(found.state) && (found.of === markOf(startedFor) || model.hasLensOf(found.state))) {
         if (areKeys(found.keys))
             film.keys = found.keys;
         if (isState(found.pair?.other))

@@ -5,7 +5,7 @@
 
 import { along, dot, length, subtract, times } from "./vector.js";
 import {
-    LensError, angleOfView, axesOf, axisFocusOf, focusTurnOf, hingeDistanceOf, solve, turnOf, widestStop,
+    LensError, angleOfView, axesOf, axisFocusOf, focusTurnOf, hingeDistanceOf, isSameLens, solve, turnOf, widestStop,
 } from "./lens.js";
 import { nearestPick, planePoints, sharpnessOf, visiblePoints } from "./points.js";
 import { remarksOf } from "./remarks.js";
@@ -166,6 +166,17 @@ export class Model {
     restore(state) {
         Object.assign(this, structuredClone(state), { refused: {}, open: false });
         this.resolve();
+    }
+
+    hasLensOf({ camera, block }) {
+        const sameBlades = ["blades", "bladesAngle"].every(name => block[name] === this.block[name]);
+        try {
+            return sameBlades && this.lens !== null && isSameLens(this.lens, solve(camera, block));
+        } catch (error) {
+            if (error instanceof LensError)
+                return false;
+            throw error;
+        }
     }
 
     /// @returns true if there was one
