@@ -134,7 +134,7 @@ bool BlockCache::TakeStep(const Step& step)
 }
 
 /// Takes steps that no other thread has begun, until the block has taken `steps`.
-/// @return  whether a step was taken
+/// @return  true if a step was taken
 bool BlockCache::Advance(const Place& place, int steps, const Tracer& trace)
 {
     const std::shared_ptr<Block> block = Get(place);
@@ -160,7 +160,6 @@ bool BlockCache::Advance(const Place& place, int steps, const Tracer& trace)
     return advanced;
 }
 
-/// Calls Advance() for the blocks of the window until one succeeds.
 bool BlockCache::AdvanceAny(const Tracer& trace)
 {
     for (const Place& place : Window())

@@ -58,7 +58,6 @@ class LensSampler
     const Vignetting& vignetting;
     const double width, height;
 
-    /// @param point  of the pixel's sequence
     CameraSample Draw(const SampleId& id, const SequencePoint& point) const
     {
         CameraSample sample = DrawFilmPoint(id, point);
@@ -66,7 +65,6 @@ class LensSampler
         return sample;
     }
 
-    /// @param points   of the group
     /// @param samples  filled at the run's positions in the group
     void Draw(const SampleRun& run, const SequencePoints& points, CameraSamples& samples) const;
 

@@ -27,8 +27,7 @@ struct SampleId
 struct SampleResult
 {
     Radiance radiance;
-    double expectedEmission = 0.0;  ///< for an emitter sample: mean radiance that its emitters add to the pixel if nothing hides them
-                                    ///< (emitter_sampling.h); 0 for any other sample
+    double expectedEmission = 0.0;  ///< emitter samples: mean radiance that the pixel's emitters add if nothing hides them; else 0
     CircleOfConfusion circle;       ///< of the hit, in the whole picture
 
     /// Hit of a sharp surface.
@@ -40,8 +39,7 @@ struct SampleResult
     }
 };
 
-/// Consecutive samples of one pixel, all in one group of cameraRaysOfBatch samples. Groups begin at multiples of cameraRaysOfBatch; their
-/// points are computed together.
+/// Consecutive samples of one pixel, all in one group. Groups begin at multiples of cameraRaysOfBatch and are computed together.
 struct SampleRun
 {
     SampleId first;

@@ -21,16 +21,14 @@ struct SamplingStatistics
     std::uint64_t emitterSampled = 0;
     std::uint64_t reconstructed = 0;
     std::uint64_t lightPoints = 0;                           ///< sampled points of area lights
-    std::uint64_t lightPointsSkipped = 0;                    ///< skipped points of these
+    std::uint64_t lightPointsSkipped = 0;                    ///< of these
     std::uint64_t refusedRays = 0;                           ///< blocked by a glass lens, of all tried
 
     void Add(const SamplingStatistics& other);
     std::uint64_t Pixels() const;
     std::uint64_t Samples() const;
-    /// Pixels with at most `samples` samples.
     std::uint64_t PixelsUpTo(std::uint32_t samples) const;
     std::uint32_t Most() const;
-    /// Samples that a fraction `share` of the pixels did not exceed.
     std::uint32_t Quantile(double share) const;
     /// Root of the mean estimated variance.
     double StandardError() const;
