@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file settings.h
-/// Constants of sampler, emitter sampling and reconstruction. Sections are those of docs/sampling.md; section 8 gives the effect of each
-/// constant or the reason for its value.
+/// Constants of sampler, emitter sampling and reconstruction. Sections are those of docs/sampling.md; section 8 gives the reason for each
+/// value.
 
 #ifndef TILT_LENS_SETTINGS_H
 #define TILT_LENS_SETTINGS_H
@@ -25,18 +25,18 @@ struct Settings
     static constexpr std::int64_t dependencyRadius = 2;
     /// Rows of blocks, from the first unfinished one, in which idle threads work ahead. Affects no picture.
     static constexpr std::int64_t windowRows = 6;
-    /// Radius of the window whose sample variances are averaged (section 3).
+    /// Radius of the window of averaged variances (section 3).
     static constexpr int neighbourRadius = 1;
     static constexpr int neighbourhoodPixels = (2 * neighbourRadius + 1) * (2 * neighbourRadius + 1);
     /// Radius of the longest filters (section 5).
     static constexpr int filterRadius = 4;
     /// Radii of the windows over which risks are averaged, and in which they count in full (section 5).
     static constexpr int riskRadius = 3, nearRiskRadius = 1;
-    /// Farthest row or column that a sample is spread to (section 5).
+    /// Reach of spread samples (section 5).
     static constexpr int spreadReach = 7;
-    /// A pixel's first samples, which are spread to others; more would cost more time than the rays they save.
+    /// A pixel's first samples, spread to others; more would cost more time than they save.
     std::uint32_t mostSentSamples = 32;
-    /// Cells per row and column of the density table of an aperture other than a disc.
+    /// Cells per row and column of the density table of non-circular apertures.
     static constexpr int densityCells = 64;
     /// @}
 
@@ -44,7 +44,7 @@ struct Settings
     /// @{
     /// Default of MIN (section 1), with and without reconstruction and emitter sampling.
     static constexpr std::uint32_t firstSamples = 4, firstSamplesAlone = 8;
-    /// Limit of doubled first rounds (section 1): while at least farShare of a block's pixels need more than farFactor times the samples.
+    /// Limit of doubled first rounds (section 1): while at least farShare of the pixels need more than farFactor times the samples.
     static constexpr std::uint32_t mostFirstSamples = 16;
     double farShare = 0.25, farFactor = 8.0;
     /// Rounds up to this number of samples double them (section 1).
@@ -53,45 +53,45 @@ struct Settings
 
     /// @name Steps and limits of computing
     /// @{
-    /// Iterations that solve for the variance ratio of the mean (section 3).
+    /// Iterations for the variance ratio (section 3).
     static constexpr int ratioIterations = 4;
-    /// Upper bound of risks, also for NaN (section 5). The sum of 49 such risks is a finite float.
+    /// Upper bound of risks, also for NaN (section 5): the sum of 49 is finite.
     static constexpr float greatestFiniteRisk = 1e12f;
     /// Camera rays computed together in vector registers: 4, 8 or 16. Affects no picture.
     static constexpr std::uint32_t cameraRaysOfBatch = 8;
-    /// Samples of each pixel that the progress display probes. Affects no picture.
+    /// Samples of a pixel probed for the progress display. Affects no picture.
     static constexpr std::uint32_t probeSamples = 8;
     /// @}
 
     /// @name Estimator of a pixel's variance (section 3)
     /// @{
-    /// Weight of a quadrant's variance ratio of the previous round, in equally noisy pixels.
+    /// Weight of the previous round's variance ratio, in equally noisy pixels.
     double varianceRatioPrior = 16.0;
-    /// A pixel keeps its own variance ratio if it exceeds that of its quadrant by this factor.
+    /// A pixel keeps its own variance ratio if it exceeds its quadrant's by this factor.
     double outlyingRatio = 4.0;
     /// @}
 
     /// @name Emitter sampling (section 4)
     /// @{
-    /// Radiance (1 is white), and part of the lights' sum (`diffuse` of a default finish), that lit surfaces seldom exceed. An emitter is
-    /// brighter by its own finish.
+    /// Radiance (1 is white), and part of the lights' sum (`diffuse` of a default finish), that lit surfaces seldom exceed. Emitters are
+    /// brighter.
     static constexpr double greatestLitRadiance = 1.0, litShare = 0.6;
     /// Most images sought in single flat mirrors, and in pairs: tenths of a second of computing.
     static constexpr std::size_t greatestImages = 1000000;
-    /// Samples in a stratum of the lens coordinate: each aligned block of four has one in each quarter of [0, 1).
+    /// Samples per stratum of the lens coordinate: an aligned block of four has one in each quarter of [0, 1).
     static constexpr std::uint32_t emitterStratum = 4;
-    /// Iterations that find a highlight's brightest point: each gains a digit or more where sphere and light are far away.
+    /// Iterations that find a highlight's brightest point: each gains about a digit.
     static constexpr int highlightIterations = 4;
-    /// Points around the aperture that give the bounding box of an emitter's circle of confusion.
+    /// Points around the aperture that bound an emitter's circle of confusion.
     static constexpr int blurBoxPoints = 16;
     /// Most bins in a row or column; least side of a bin, pixels; most emitters in a bin.
     static constexpr std::uint32_t emitterBins = 64, leastEmitterBinSide = 8;
     static constexpr std::size_t emittersOfBin = 1024;
     /// Blur, in pixels, above which the lens point is importance-sampled; below, the film point.
     double lensPointBlur = 1.5;
-    /// Share of a pixel's samples aimed at emitters: a multiple of 1 / emitterStratum.
+    /// Share of samples aimed at emitters: a multiple of 1 / emitterStratum.
     double emitterShare = 0.5;
-    /// Most emitters that a pixel's samples are aimed at, the brightest.
+    /// Most emitters, the brightest, that a pixel's samples are aimed at.
     std::uint32_t emittersOfPixel = 16;
     /// Misses before an emitter counts as hidden: an object fills only a part of its bounding sphere.
     std::uint32_t hiddenEmitterSamples = 16;
@@ -99,13 +99,13 @@ struct Settings
 
     /// @name Reconstruction (section 5)
     /// @{
-    /// A filter with a risk above this multiple of the unfiltered pixels' risk has no weight; risks below the inverse are chance.
+    /// A filter with a risk above this multiple of the unfiltered pixels' has no weight; risks below the inverse are chance.
     float greatestRisk = 20.0f;
     /// Limit of a pixel's risk over its noise, outside its 3 by 3 window.
     float riskLimit = 8.0f;
     /// Risk over noise of a 3 by 3 window that chance can explain.
     float chanceRisk = 2.0f;
-    /// Weight of a spread estimate of other pixels' samples alone, relative to a filter with the same risk.
+    /// Weight of a spread estimate of other pixels' samples alone, relative to a filter with equal risk.
     float spreadWeight = 8.0f;
     /// Additional factor of this weight if only other pixels' samples show the noise.
     float missedWeight = 100.0f;

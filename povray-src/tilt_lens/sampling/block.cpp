@@ -50,7 +50,7 @@ void TakeSamples(BlockEstimate& estimate, std::uint32_t until, const SamplingLim
         }
 }
 
-/// True if many pixels need several more rounds: a longer first round is then free, and other blocks see more reliable samples.
+/// True if many pixels need several more rounds: a longer first round is then free, and helps other blocks.
 bool IsFarFromConvergence(const BlockEstimate& estimate, const SamplingLimits& limits)
 {
     if (!limits.Denoises() || estimate.firstSamples < 2)  // one sample shows no variance

@@ -4,17 +4,12 @@
 /// @file block.h
 /// Adaptive sampling of a block, a square of pixels on a grid fixed to the whole picture: docs/sampling.md, section 1.
 ///
-/// The folder sampling/ chooses the number of samples of each pixel, draws their film and lens points, and estimates their variance. Render
-/// threads enter by tile_sampler.h; sample.h is the interface to the ray tracer.
+/// The folder sampling/ chooses each pixel's samples, and estimates their variance. Render threads enter by tile_sampler.h; sample.h is the
+/// interface to the ray tracer.
 ///
-/// Each of three steps reads only the previous step's results of the block and its eight neighbours:
-///
-///     look      a first round of samples
-///     converge  further rounds, until the stop rule holds
-///     finish    further rounds of pixels that have missed something, then the reconstruction
-///
-/// Results depend on positions in the picture alone, never on threads or tiles (section 7). Any thread may request any step at any time;
-/// the first one takes it. If the tracer throws, the block stays unchanged.
+/// Three steps, look, converge and finish, read only the previous step's results of the block and its eight neighbours. Results depend on
+/// positions in the picture alone, never on threads or tiles (section 7). Any thread may request any step; the first one takes it. If the
+/// tracer throws, the block stays unchanged.
 
 #ifndef TILT_LENS_BLOCK_H
 #define TILT_LENS_BLOCK_H
@@ -37,7 +32,7 @@ namespace tilt_lens
 
 struct PixelResult
 {
-    double variance = 0.0;  ///< variance of the mean, averaged over the colours, relative to SquaredScale
+    double variance = 0.0;  ///< variance of the mean, averaged over colours, relative to SquaredScale
     Radiance mean{};
     std::uint32_t samples = 0, notFinite = 0, emitterSamples = 0;
     bool reconstructed = false;
@@ -57,15 +52,14 @@ class Block
         return step == 2 ? limits.variance > 0.0 : step == kSteps && limits.Denoises();
     }
 
-    /// @param width, height  of the whole picture, pixels
+    /// @param width, height  whole picture, pixels
     Block(const Area& area, std::uint32_t width, std::uint32_t height) : area(area), sent(area, width, height) {}
 
     const Area area;
 
-    /// 0 to kSteps.
     int StepsTaken() const { return phase / 2; }
     /// The block and its neighbours must have taken `stepsTaken` steps.
-    /// @return  false, with nothing done, if another thread has begun the step
+    /// @return  false if another thread has begun the step
     bool TakeStep(int stepsTaken, const Neighbours& neighbours, const SamplingLimits& limits, const Tracer& trace);
 
     /// Valid after all steps; (x, y) in the whole picture.
@@ -94,7 +88,6 @@ class Block
     void Converge(const Neighbours& neighbours, const SamplingLimits& limits, const Tracer& trace);
     void Finish(const Neighbours& neighbours, const SamplingLimits& limits, const Tracer& trace);
 
-    /// Takes further rounds until no pixel is active.
     /// @param samples  fewest samples of an active pixel
     void TakeRounds(BlockEstimate& estimate, const Neighbourhood& around, const SamplingLimits& limits, std::uint32_t samples,
                     SentSamples* sent, const Tracer& trace) const;

@@ -24,7 +24,7 @@ namespace tilt_lens
 class BlockCache
 {
   public:
-    /// @param width, height  of the whole picture, pixels
+    /// @param width, height  whole picture, pixels
     /// @param rendered  the part that will be requested
     BlockCache(const SamplingLimits& limits, std::uint32_t width, std::uint32_t height, const Area& rendered);
 
@@ -34,8 +34,8 @@ class BlockCache
 
     static Place PlaceOf(std::uint32_t x, std::uint32_t y) { return {y / settings.blockSide, x / settings.blockSide}; }
 
-    /// Takes all steps of these blocks; ignores places outside the picture. While other threads compute missing steps, this thread works
-    /// ahead on others, and waits only if there are none.
+    /// Takes all steps of these blocks; ignores places outside the picture. The thread works ahead on other blocks rather than wait for
+    /// other threads.
     void Finish(const std::vector<Place>& wanted, const Tracer& trace);
 
     /// Null outside the picture, and if no remaining pixel depends on the block.
@@ -44,7 +44,6 @@ class BlockCache
     /// The pixels of `tile` will not be requested again.
     void Release(const Area& tile);
 
-    /// Blocks in memory.
     std::size_t Size() const;
 
   private:
@@ -59,8 +58,8 @@ class BlockCache
     mutable std::mutex mutex;
     std::condition_variable stepTaken;
     std::uint64_t steps = 0;  ///< steps completed or interrupted
-    std::int64_t firstRow;  ///< first row of blocks with remaining pixels
-    std::vector<std::uint16_t> toCome;  ///< rendered pixels of each block that are not yet released
+    std::int64_t firstRow;  ///< with remaining pixels
+    std::vector<std::uint16_t> toCome;  ///< unreleased pixels of each block
     std::map<Place, Entry> entries;
 
     bool IsInside(const Place& place) const;

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file block_estimate.h
-/// Plain data for convergence.h, pixel_variance.h and forecast.h: a block's pixels between two rounds, and its first round as its
-/// neighbours see it.
+/// A block's pixels between two rounds, and its first round as its neighbours see it.
 
 #ifndef TILT_LENS_BLOCK_ESTIMATE_H
 #define TILT_LENS_BLOCK_ESTIMATE_H
@@ -28,10 +27,10 @@ struct PixelEstimate
     PixelStatistics statistics;
     double varianceRatio = 1.0;  ///< variance of the mean over that of as many independent samples
     double variance = 0.0;       ///< variance of the mean, largest channel, relative to SquaredScale
-    double target = 0.0;         ///< variance target of the last decision
-    double excess = 0.0;         ///< variance that the reconstruction leaves, over the target, at the last decision
+    double target = 0.0;         ///< variance target, at the last decision
+    double excess = 0.0;         ///< variance after the reconstruction over the target, at the last decision
     double residualVarianceRatio = 1.0 / settings.greatestRisk;  ///< predicted by the last forecast
-    bool active = true;          ///< takes part in the next round
+    bool active = true;
 };
 
 /// Upper left, upper right, lower left, lower right.
@@ -44,7 +43,7 @@ struct BlockEstimate
     std::vector<PixelEstimate> pixels;          ///< row by row
     Quadrants dualBufferRatio{1.0, 1.0, 1.0, 1.0};  ///< variance by dual buffers over that of independent samples
     std::shared_ptr<const BlockStatistics> statistics;  ///< null: no denoising
-    std::uint32_t statisticsSamples = 0;        ///< samples of an active pixel when they were computed; 0: never
+    std::uint32_t statisticsSamples = 0;        ///< active pixels' samples at that time; 0: never
     std::shared_ptr<const PaddedSpread>
         spread; ///< received from the block and its neighbours; null: none or unknown
 
@@ -54,7 +53,7 @@ struct BlockEstimate
     {
         return 2 * (pixel / area.width / (settings.blockSide / 2)) + pixel % area.width / (settings.blockSide / 2);
     }
-    /// Share of a pixel's samples that serves other pixels, [0, 1): near 1 in wide circles of confusion.
+    /// Share of a pixel's samples that serves other pixels, [0, 1).
     double SharedPart(std::size_t pixel) const { return spread ? 1.0 - spread->ownShare[PlaceOf(pixel)] : 0.0; }
     std::size_t PlaceOf(std::size_t pixel) const { return PaddedBlock::At(int(pixel % area.width), int(pixel / area.width)); }
     /// False if each pixel's samples are equal and none were received.
@@ -66,7 +65,7 @@ struct FirstRound
 {
     std::uint32_t samples;       ///< per pixel
     std::size_t pixels;
-    double loneVariance = 0.0;   ///< mean excess of a pixel's variance over the sum of its eight neighbours' variances; relative
+    double loneVariance = 0.0;   ///< mean excess of a pixel's variance over its eight neighbours' sum; relative
     std::shared_ptr<const BlockStatistics> statistics;  ///< null: no denoising
     std::shared_ptr<const SpreadSums> spread;           ///< null: none
 
@@ -84,7 +83,6 @@ struct Neighbourhood
     Neighbourhood(const FirstRounds& rounds, const SamplingLimits& limits);
 };
 
-/// Null where the object is null.
 template<class Part, class Whole, class Member>
 std::array<const Part*, 9> EachOf(const std::array<const Whole*, 9>& objects, Member Whole::* member)
 {

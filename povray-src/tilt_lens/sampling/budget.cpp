@@ -15,7 +15,7 @@ namespace tilt_lens
 namespace
 {
 
-/// One in so many blocks takes part in the trials: more where these would be fewer than kTrialBlocks.
+/// One in so many blocks takes part in the trials: more if they would be fewer than kTrialBlocks.
 constexpr std::size_t kTrialStride = 16, kLeastTrialStride = 8, kTrialBlocks = 32;
 
 } // namespace
@@ -63,7 +63,7 @@ Block::Neighbours BudgetPilot::NeighboursOf(std::size_t place) const
     return neighbours;
 }
 
-/// All blocks if their samples fit into `recordBytes`; else a random one of each group of neighbouring blocks, all of similar size.
+/// All blocks if `recordBytes` suffice; else a random one of each equally large group of neighbours.
 std::vector<std::size_t> BudgetPilot::ChosenPlaces(double recordBytes) const
 {
     const double pixels = settings.blockSide * settings.blockSide, ofBlock = pixels * SampleRecord::BytesOf(budget);
@@ -182,7 +182,6 @@ void BudgetPilot::EndRound()
     done = true;
 }
 
-/// The cost of this round's target, by the counted blocks.
 BudgetRound BudgetPilot::Measure() const
 {
     BudgetRound round;

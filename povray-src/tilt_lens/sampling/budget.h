@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file budget.h
-/// Finds the variance target with which a picture takes a given mean number of samples: docs/sampling.md, section 9. A pilot tries several
-/// targets on blocks spread over the whole picture. Each sample is traced once and recorded.
+/// The variance target with which a picture takes a given mean number of samples: docs/sampling.md, section 9. Several targets are tried on
+/// some of its blocks; each sample is traced once.
 ///
-/// The choice depends on scene, picture size and budget alone, never on threads, tiles or the rendered part of the picture.
+/// The choice depends on scene, picture size and budget alone, never on threads or the rendered part.
 
 #ifndef TILT_LENS_BUDGET_H
 #define TILT_LENS_BUDGET_H
@@ -29,16 +29,16 @@ class BudgetPilot
 {
   public:
     /// @param limits         the variance is not used
-    /// @param width, height  of the whole picture, pixels
+    /// @param width, height  whole picture, pixels
     /// @param budget         mean samples per pixel
-    /// @param recordBytes    memory for recorded samples, which bounds the number of blocks
+    /// @param recordBytes    bounds the number of blocks
     BudgetPilot(const SamplingLimits& limits, std::uint32_t width, std::uint32_t height, double budget,
                 double recordBytes = 256.0 * 1024 * 1024);
 
     /// One step of one block.
     struct Task
     {
-        std::size_t block;  ///< place in the picture, row by row
+        std::size_t block;  ///< row by row
     };
 
     /// Waits for other threads if necessary; none once the target is chosen.
@@ -52,7 +52,7 @@ class BudgetPilot
     const BudgetRound& Chosen() const { return chosen; }
     double Lost() const { return recorded - chosen.used; }  ///< samples per pixel that the picture does not need
     double Budget() const { return budget; }
-    /// True, with the samples copied, if the pilot has taken all of them.
+    /// False unless the pilot has taken all samples of the run.
     bool Get(const SampleRun& run, SampleResult* results) const;
     /// @}
 

@@ -26,8 +26,8 @@ constexpr double kFirstShare = 0.4, kAim = 0.96, kEnough = 0.91;
 constexpr double kLeastExponent = 0.5, kGreatestExponent = 2.0;
 /// Nearer variances tell nothing of the exponent.
 constexpr double kLeastSlopeFactor = 1.1;
-/// A step, where many pixels have the same noise: least growth as a share of the budget, greatest factor between variances. Rounds with all
-/// blocks do not cross it.
+/// A step, where many pixels have the same noise: least growth as a share of the budget, greatest factor between variances. All blocks do
+/// not cross it.
 constexpr double kStep = 0.25, kStepFactor = 1.1;
 
 const auto AtMost = [](const BudgetRound& trial) { return trial.AtMost(); };

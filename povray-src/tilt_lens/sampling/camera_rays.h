@@ -47,7 +47,6 @@ class CameraRayBatch
 
     void Make(const SampleRun& run);
 
-    /// Makes a sample's ray for one colour.
     /// @param place     of the sample in its group
     /// @param hue       see MakeColourRay()
     /// @param[out] ray  at position 0

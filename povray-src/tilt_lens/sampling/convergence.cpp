@@ -20,7 +20,7 @@ namespace
 {
 
 /// Pixels with wide circles of confusion decide with their neighbours: alone, one that missed a lamp by chance would stop dark, and one
-/// that hit it would go on and dilute it.
+/// that hit it would dilute it.
 /// @param samples  taken by active pixels; those with fewer still catch up
 void DecideTogether(BlockEstimate& estimate, std::uint32_t samples)
 {

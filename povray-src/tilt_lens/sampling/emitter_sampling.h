@@ -4,8 +4,7 @@
 /// @file emitter_sampling.h
 /// Importance sampling of small bright objects that first samples would miss: docs/sampling.md, section 4, with the source.
 ///
-/// The interval of a sample's first lens coordinate selects its technique. Every aligned block of four samples thus has equally many
-/// emitter samples, so even light stays free of noise.
+/// Every aligned block of four samples has equally many emitter samples, so even light stays free of noise.
 
 #ifndef TILT_LENS_EMITTER_SAMPLING_H
 #define TILT_LENS_EMITTER_SAMPLING_H
@@ -41,7 +40,7 @@ class EmitterSampling
     struct Targets
     {
         double share = 0.0;  ///< share of the pixel's samples
-        double emission = 0.0;  ///< mean radiance that all add to the pixel if nothing hides them
+        double emission = 0.0;  ///< mean radiance that all add to the pixel unless hidden
         struct Target
         {
             std::uint32_t emitter;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file flat_mirror.h
-/// Images of small lamps in flat mirrors, as emitters, since a ray towards an image is reflected to its lamp: docs/sampling.md, section 4.
+/// Images of small lamps in flat mirrors, as emitters: docs/sampling.md, section 4.
 
 #ifndef TILT_LENS_FLAT_MIRROR_H
 #define TILT_LENS_FLAT_MIRROR_H
@@ -23,8 +23,8 @@ struct FlatMirror
     double reflectance;  ///< of the brightest channel
 };
 
-/// Images in each mirror, the largest first, and in each ordered pair unless there are too many (settings.greatestImages). An image counts
-/// if the lens sees it in the mirror, and if it is brighter than its surroundings can be. Occlusion is ignored.
+/// Images in each mirror, the largest first, and in each ordered pair if they are few enough (settings.greatestImages). The lens must see
+/// an image in the mirror, brighter than its surroundings can be. Occlusion is ignored.
 std::vector<Emitter> MirrorImages(const std::vector<Emitter>& sources, const std::vector<FlatMirror>& mirrors, double lensDiameter);
 
 }  // namespace tilt_lens

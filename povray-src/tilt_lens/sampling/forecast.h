@@ -15,14 +15,12 @@
 namespace tilt_lens
 {
 
-/// Statistics for the reconstruction, from the samples so far.
 std::shared_ptr<const BlockStatistics> StatisticsOf(const BlockEstimate& estimate);
 
-/// Stores these statistics in `estimate`.
 /// @param samples  of an active pixel; statistics are computed once for each number
 void UpdateBlockStatistics(BlockEstimate& estimate, std::uint32_t samples);
 
-/// Predicts the residual variance ratios of the candidates, if that may save more time than it takes.
+/// Predicts the candidates' residual variance ratios, if that may save more time than it takes.
 /// @param candidates  indices of pixels with up-to-date `variance` and `target`
 /// @return  true if the ratios are of this round
 bool UpdateForecast(BlockEstimate& estimate, const std::vector<std::size_t>& candidates, const Neighbourhood& around,

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file lens_sampler.h
-/// Draws plain samples: a film point in the pixel's square, and a lens point. Emitter sampling (emitter_sampling.h) replaces some.
+/// Draws plain samples: a film point and a lens point. Emitter sampling (emitter_sampling.h) replaces some.
 
 #ifndef TILT_LENS_LENS_SAMPLER_H
 #define TILT_LENS_LENS_SAMPLER_H
@@ -41,7 +41,7 @@ struct CameraSamples
 class LensSampler
 {
   public:
-    /// @param width, height  of the whole picture, pixels
+    /// @param width, height  whole picture, pixels
     LensSampler(std::shared_ptr<const LensCamera> itsCamera, std::uint32_t width, std::uint32_t height) :
         camera(std::move(itsCamera)),
         lens(camera->Solved()),

@@ -33,7 +33,7 @@ class CircleVariance
 
     /// Per channel, for the stop rule: received variance replaces the pixel's own in proportion to the probability that the pixel missed
     /// something. Pixels of one circle thus decide alike.
-    /// @param own  variance of one sample by the pixel's own samples
+    /// @param own  by the pixel's own samples
     Radiance Blend(const Radiance& own) const;
 
     /// The same for the reconstruction, summed over the channels, and never below `own`.
@@ -49,8 +49,8 @@ class CircleVariance
 /// @param variance  of one sample, by the pixel's own samples or those around
 Radiance VarianceOfMean(const BlockEstimate& estimate, std::size_t pixel, const Radiance& variance);
 
-/// Worst channel's variance of each pixel's mean, for the stop rule. One sample's variance is at least the mean of the 3 by 3 window, since
-/// few samples are unreliable and miss features.
+/// Worst channel's variance of each pixel's mean, for the stop rule. One sample's variance is at least the 3 by 3 window's mean, since few
+/// samples are unreliable.
 std::vector<double> VariancesToDecide(const BlockEstimate& estimate);
 
 /// Updates active pixels, with one ratio per quadrant.

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file progress_estimator.h
-/// Finished share of a picture's work. Thread-safe. Finished tiles do not predict the rest: sky often comes first. So one pixel per block
-/// is probed first (about 0.03 samples per pixel). Its expected samples times rays per sample are the block's fixed weight: the share never
-/// falls, and ends at 1.
+/// Finished share of a picture's work. Thread-safe. One pixel per block is probed first (0.03 samples per pixel), since finished tiles do
+/// not predict the rest. The probe's cost is the block's fixed weight: the share never falls, and ends at 1.
 
 #ifndef TILT_LENS_PROGRESS_ESTIMATOR_H
 #define TILT_LENS_PROGRESS_ESTIMATOR_H

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sample.h
-/// Interface between sampler and ray tracer: requests for samples of a pixel, and results.
+/// Interface between sampler and ray tracer.
 
 #ifndef TILT_LENS_SAMPLE_H
 #define TILT_LENS_SAMPLE_H
@@ -39,7 +39,7 @@ struct SampleResult
     }
 };
 
-/// Consecutive samples of one pixel, all in one group. Groups begin at multiples of cameraRaysOfBatch and are computed together.
+/// Consecutive samples of one pixel in one group, computed together. Groups begin at multiples of cameraRaysOfBatch.
 struct SampleRun
 {
     SampleId first;
@@ -50,7 +50,7 @@ struct SampleRun
     std::uint32_t Place() const { return first.index % settings.cameraRaysOfBatch; }
 };
 
-/// A run's places in the group, extended to multiples of four for vector registers.
+/// A run's places, extended to multiples of four for vector registers.
 struct Quads
 {
     explicit Quads(const SampleRun& run) : begin(run.Place() & ~3u), end((run.Place() + run.count + 3) & ~3u) {}

@@ -17,7 +17,6 @@
 namespace tilt_lens
 {
 
-/// The first samples of each pixel of an area.
 class SampleRecord
 {
   public:

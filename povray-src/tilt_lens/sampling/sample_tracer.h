@@ -51,7 +51,6 @@ class SampleTracer
     {
     }
 
-    /// @param results  one per sample; need not be initialised
     void Trace(const SampleRun& run, SampleResult* results);
 
     /// Blocked by a lens of glass since last set to 0.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sampling_limits.h
-/// The scene's settings of the sampler.
+/// `blur_samples MIN, MAX`, `variance`, `confidence` and `denoise` of a camera, with their defaults.
 
 #ifndef TILT_LENS_SAMPLING_LIMITS_H
 #define TILT_LENS_SAMPLING_LIMITS_H
@@ -15,7 +15,6 @@
 namespace tilt_lens
 {
 
-/// `blur_samples MIN, MAX`, `variance`, `confidence` and `denoise` of a camera, with their defaults.
 struct SamplingLimits
 {
     std::uint32_t min = settings.firstSamplesAlone, max = 1024;  ///< samples per pixel, 1 <= min <= max
@@ -33,8 +32,8 @@ struct SamplingLimits
         return std::min(power, max);
     }
 
-    /// Samples after the next round: twice as many up to settings.doubledSamples, then alternately 3/2 and 4/3 times as many, so that every
-    /// second round ends at a power of two.
+    /// Twice as many samples up to settings.doubledSamples, then alternately 3/2 and 4/3 times as many: every second round ends at a power
+    /// of two.
     std::uint32_t NextRound(std::uint32_t samples) const
     {
         const bool power = (samples & (samples - 1)) == 0;

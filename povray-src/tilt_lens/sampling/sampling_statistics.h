@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sampling_statistics.h
-/// Cost and quality of a set of pixels, for the report after a render.
+/// Cost and quality of pixels, for the report after a render.
 
 #ifndef TILT_LENS_SAMPLING_STATISTICS_H
 #define TILT_LENS_SAMPLING_STATISTICS_H
@@ -15,9 +15,9 @@ namespace tilt_lens
 
 struct SamplingStatistics
 {
-    std::map<std::uint32_t, std::uint64_t> pixelsBySamples;  ///< samples of a pixel -> number of pixels
+    std::map<std::uint32_t, std::uint64_t> pixelsBySamples;
     double variance = 0.0;                                   ///< sum of the pixels' largest channels
-    std::uint64_t notFinite = 0;                             ///< samples with an infinite or NaN channel
+    std::uint64_t notFinite = 0;
     std::uint64_t emitterSampled = 0;
     std::uint64_t reconstructed = 0;
     std::uint64_t lightPoints = 0;                           ///< sampled points of area lights

@@ -58,8 +58,8 @@ constexpr Directions Ordered(const Directions& directions)
     return ordered;
 }
 
-/// Each hexadecimal digit's part of the Sobol point, bits reversed for the scrambling hash. 2 KiB, since the scene needs the cache; a table
-/// by bytes would take eight times as much.
+/// Each hexadecimal digit's part of the Sobol point, bits reversed for the scrambling hash. The scene needs the cache: 2 KiB, a table by
+/// bytes would take 16.
 struct DigitTable
 {
     Lanes entry[bits / 4][16];

@@ -13,10 +13,9 @@
 /// - Independence: each pixel and seed has its own scrambling, so (A - B)^2 / 4 of means over two seeds estimates the variance of (A + B) /
 ///   2 without bias. Halves of one sequence would overestimate it (not tested).
 ///
-/// The order gives both pairs common strata, for a blur of about a pixel; randomly shuffled pairs are then little better than random.
-/// Sobol's third and fourth dimensions are no (0, m, 2)-net. The order was searched: its first seven bits minimise the error over random
-/// edges, discs, checkers and sines at blurs of 0 to 50 pixels. Each further bit maximises the number of elementary intervals with their
-/// share of samples.
+/// The order gives both pairs common strata, for blurs of about a pixel; shuffled pairs would be little better than random. Sobol's third
+/// and fourth dimensions are no (0, m, 2)-net. The order was searched: its first seven bits minimise the error over random edges, discs,
+/// checkers and sines at blurs of 0 to 50 pixels. Further bits maximise the elementary intervals with their share of samples.
 ///
 /// Sources: B. Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020, without its shuffling of indices; I. M. Sobol', "On the
 /// distribution of points in a cube and the approximate evaluation of integrals", USSR Comput. Math. Math. Phys. 7(4), 1967; the hash: N.
@@ -80,7 +79,7 @@ class PixelSampler
     /// shuffled order (Burley's shuffled padding).
     Pair PaddedPair(std::uint32_t index, std::uint32_t number) const;
 
-    /// Uniform, independent of the samples, for a generator's seed; equals PixelHash(x, y, seed, salt).
+    /// Uniform, independent of the samples; equals PixelHash(x, y, seed, salt).
     std::uint32_t Hash(std::uint32_t salt) const { return std::uint32_t(StreamWord(std::uint64_t{salt} + 3) >> 32); }
 
   private:
