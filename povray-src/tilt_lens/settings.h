@@ -80,7 +80,7 @@ struct Settings
     static constexpr std::size_t greatestImages = 1000000;
     /// Samples per stratum of the lens coordinate: an aligned block of four has one in each quarter of [0, 1).
     static constexpr std::uint32_t emitterStratum = 4;
-    /// Iterations that find a highlight's brightest point: each gains about a digit.
+    /// Iterations that find a highlight's brightest point: each gains a digit or more on distant spheres.
     static constexpr int highlightIterations = 4;
     /// Points around the aperture that bound an emitter's circle of confusion.
     static constexpr int blurBoxPoints = 16;

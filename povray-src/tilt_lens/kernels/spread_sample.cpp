@@ -53,7 +53,7 @@ TILT_LENS_INLINED Floats WindowUpTo(const Floats& distance)
     return limited - limited * limited * limited * (1.0f / (3.0f * kWindowRadius * kWindowRadius));
 }
 
-/// A row's sum of the window is this at its end less this at its begin.
+/// A row's window sum is the difference of this at its end and begin.
 TILT_LENS_INLINED Floats WindowSumUpTo(const Floats& distance)
 {
     constexpr float inverse = 1.0f / (kWindowRadius * kWindowRadius);
@@ -82,7 +82,7 @@ struct Extent
     }
 };
 
-/// At most kReach away from the sample's own, row by row.
+/// Pixels at most kReach away from the sample's own, row by row.
 struct CirclePixels
 {
     int begin[kLanes], end[kLanes], count = 0;
@@ -209,7 +209,6 @@ TILT_LENS_INLINED void AddRow(Planes& planes, int first, const RowShares& shares
 }
 
 /// @param density  null: uniform
-/// @param value    red, green, blue and 1
 TILT_LENS_INLINED void Send(Planes& planes, const CirclePixels& pixels, const float* density, float sum, const Float4& value, float weight,
                             int column, int row)
 {

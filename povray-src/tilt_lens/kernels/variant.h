@@ -4,8 +4,8 @@
 /// @file variant.h
 /// Compiled once per variant: TILT_LENS_VARIANT is its namespace, TILT_LENS_REGISTER the bytes of a vector register.
 ///
-/// Call only functions that are TILT_LENS_INLINED: of others the linker keeps any variant's copy, perhaps one that the processor cannot
-/// run. The test `unit.kernel_symbols` checks this.
+/// Call no inline function without TILT_LENS_INLINED: the linker keeps any variant's copy, perhaps one that the processor cannot run. The
+/// test `unit.kernel_symbols` checks this.
 
 #ifndef TILT_LENS_VARIANT_H
 #define TILT_LENS_VARIANT_H

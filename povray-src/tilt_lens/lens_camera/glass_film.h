@@ -32,7 +32,7 @@ struct FourPupils
 {
     double place[3][4];                           ///< film points, lens frame, mm
     double l[4], m[4], radial[4], tangential[4];  ///< ellipses of directions
-    double axisL[4], axisM[4];                    ///< radial axes of the ellipses
+    double axisL[4], axisM[4];                    ///< their radial axes
     double brightness[4];
     unsigned int seen = 0;                        ///< one bit per film point with light
 };

@@ -26,7 +26,7 @@ class LensCamera
   public:
     /// @param character  only its vignetting. Solve() has applied the rest.
     /// @param deflected  true if the renderer turns rays afterwards (camera with `normal`)
-    /// @throws OpticsError  if a rim leaves at most 1 per cent of the light in the picture's middle
+    /// @throws OpticsError  if a rim leaves at most 1 per cent of the middle's light
     /// @throws std::invalid_argument  if glass does so
     LensCamera(std::shared_ptr<const SolvedLens> lens, const Aperture& aperture, const Character& character, bool deflected = false);
 

@@ -22,7 +22,7 @@ inline double Square(double x)
     return x * x;
 }
 
-/// Two channels at a time, which compilers cannot do.
+/// Two channels at a time, which compilers cannot do, since arguments may overlap.
 template<class Operation>
 inline void Combine(Radiance& result, const Radiance& value, const Operation& operation)
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file spread.h
-/// Spreads each sample over its circle of confusion: docs/sampling.md, section 5, with sources. Occlusion is ignored.
+/// Spreads each sample over its circle of confusion: docs/sampling.md, section 5. Occlusion is ignored.
 
 #ifndef TILT_LENS_SPREAD_H
 #define TILT_LENS_SPREAD_H

@@ -34,8 +34,8 @@ class BlockCache
 
     static Place PlaceOf(std::uint32_t x, std::uint32_t y) { return {y / settings.blockSide, x / settings.blockSide}; }
 
-    /// Takes all steps of these blocks; ignores places outside the picture. The thread works ahead on other blocks rather than wait for
-    /// other threads.
+    /// Takes all steps of these blocks; ignores places outside the picture. The thread waits for others only if there are no further blocks
+    /// to work ahead on.
     void Finish(const std::vector<Place>& wanted, const Tracer& trace);
 
     /// Null outside the picture, and if no remaining pixel depends on the block.

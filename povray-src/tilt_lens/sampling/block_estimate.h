@@ -43,7 +43,7 @@ struct BlockEstimate
     std::vector<PixelEstimate> pixels;          ///< row by row
     Quadrants dualBufferRatio{1.0, 1.0, 1.0, 1.0};  ///< variance by dual buffers over that of independent samples
     std::shared_ptr<const BlockStatistics> statistics;  ///< null: no denoising
-    std::uint32_t statisticsSamples = 0;        ///< active pixels' samples at that time; 0: never
+    std::uint32_t statisticsSamples = 0;        ///< active pixels' samples in `statistics`; 0: never computed
     std::shared_ptr<const PaddedSpread>
         spread; ///< received from the block and its neighbours; null: none or unknown
 

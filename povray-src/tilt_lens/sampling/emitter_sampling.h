@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file emitter_sampling.h
-/// Importance sampling of small bright objects that first samples would miss: docs/sampling.md, section 4, with the source.
+/// Importance sampling of small bright objects that first samples would miss: docs/sampling.md, section 4.
 ///
 /// Every aligned block of four samples has equally many emitter samples, so even light stays free of noise.
 

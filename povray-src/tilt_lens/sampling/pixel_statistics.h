@@ -38,7 +38,7 @@ class PixelStatistics
     Radiance Mean() const;
     /// One sample's variance; 0 for fewer than two. Only deviations within the two strata, plain and emitter samples, count.
     Radiance Variance() const;
-    /// Difference of the buffers' means: pure noise.
+    /// Pure noise.
     Radiance DualBufferDifference() const;
     std::uint32_t FirstBufferSamples() const { return firstBuffer; }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sample_tracer.h
-/// Traces a pixel's samples. docs/sampling.md, "The way of a sample", names the steps before and after.
+/// Traces a pixel's samples: docs/sampling.md, "The way of a sample".
 
 #ifndef TILT_LENS_SAMPLE_TRACER_H
 #define TILT_LENS_SAMPLE_TRACER_H

@@ -40,7 +40,7 @@ TILT_LENS_INLINED std::uint32_t Scramble(std::uint32_t x, std::uint32_t seed)
     return x;
 }
 
-/// Middle of a 32-bit fraction's cell in (0, 1). Signed numbers convert faster; the sign flips a random bit.
+/// Middle of a 32-bit fraction's cell in (0, 1). Signed numbers convert faster; this flips the highest bit, which is random.
 TILT_LENS_INLINED double ToUnit(std::uint32_t x)
 {
     return static_cast<std::int32_t>(x) * 0x1p-32 + (0.5 + 0x1p-33);

@@ -75,8 +75,8 @@ class PixelSampler
 
     void FindGroup(std::uint32_t index, SequencePoints& points) const;
 
-    /// Two further coordinates of a sample, independent of its lens point and of pairs with another `number`: the lens sequence in a
-    /// shuffled order (Burley's shuffled padding).
+    /// Two further coordinates of a sample, independent of its lens point and of pairs with another `number`: the shuffled lens sequence
+    /// (Burley's padding).
     Pair PaddedPair(std::uint32_t index, std::uint32_t number) const;
 
     /// Uniform, independent of the samples; equals PixelHash(x, y, seed, salt).
