@@ -38,7 +38,7 @@ struct Part
     {
     }
 
-    /// Calls `visit` with each pixel vector's first index; a row's last vector may extend beyond it.
+    /// A row's last vector may extend beyond it.
     template<class Visit>
     TILT_LENS_INLINED void ForEach(const Visit& visit) const
     {
@@ -144,8 +144,8 @@ class RiskWeightedMean
         MeanAround<settings.nearRiskRadius>(noises, around, noiseNear);
     }
 
-    /// @param candidate  linear estimate of the pixels from index i on: Mean(channel, i); CentreTap(i), its tap of the pixel itself;
-    ///                   NoiseLeft(i), the fraction of variance that it leaves; Preference(i), a factor of its weight
+    /// @param candidate  linear estimate from index i on; CentreTap(i) is the tap of the pixel itself, NoiseLeft(i) the remaining variance,
+    ///                   Preference(i) a factor of its weight
     template<class Candidate>
     TILT_LENS_INLINED void Add(const Candidate& candidate)
     {
@@ -167,7 +167,7 @@ class RiskWeightedMean
         const float own = around.mean[c][i];
         if (!(weights[i] > 0.0f))
             return own;
-        // fitted parabolas overshoot: keep colours non-negative and transparency at most 1
+        // fitted parabolas overshoot: colours stay non-negative, transparency at most 1
         const float mean = Max(Min(own, 0.0f), means[c][i] / weights[i]);
         return c < 3 ? mean : Min(Max(own, 1.0f), mean);
     }
@@ -211,8 +211,7 @@ class RiskWeightedMean
     }
 };
 
-/// Spread estimate S = t q + (1 - t) o, with the mean o of received samples and the weight t of the pixel's own; corrected, S + F (q - S)
-/// with the mean F over 9 by 9 pixels.
+/// Spread estimate S = t q + (1 - t) o (docs/sampling.md, section 5); corrected, S + mean9(q - S).
 template<bool kCorrected>
 class SpreadCandidate
 {
@@ -242,7 +241,7 @@ class SpreadCandidate
     {
         return Load<Floats>(&noiseLeft[i]) + (kCorrected ? NoiseLeftBy(kMean9) * NoiseLeftBy(kMean9) : 0.0f);
     }
-    /// Favours other pixels' samples, and more where the pixel's own have missed something.
+    /// Favours other pixels' samples, more where the pixel's own missed something.
     TILT_LENS_INLINED Floats Preference(int i) const
     {
         const Floats others = 1.0f - Load<Floats>(&ownTap[i]), square = others * others;

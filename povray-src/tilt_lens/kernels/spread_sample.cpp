@@ -18,7 +18,7 @@ constexpr int kRows = 2 * kReach + 1;
 constexpr int kLanes = kRows + 1;
 static_assert(kLanes % kMostLanes == 0, "vectors hold them without a rest");
 
-/// Padded, since a row's last vector may read beyond it.
+/// Padded, since a row's last vector reads beyond it.
 struct alignas(32) LaneNumbers
 {
     float of[kLanes + kMostLanes]{};
@@ -36,7 +36,7 @@ constexpr LaneNumbers kOffsets = Numbered();
 
 constexpr float kWindowRadius = kReach + 1;
 
-/// 1 - (distance / kWindowRadius)^2 along rows and columns: without it, samples of a highlight would show as squares.
+/// 1 - (distance / kWindowRadius)^2: without it, samples of a highlight would show as squares.
 constexpr LaneNumbers WindowOf(const LaneNumbers& offsets)
 {
     LaneNumbers window{};
@@ -53,14 +53,14 @@ TILT_LENS_INLINED Floats WindowUpTo(const Floats& distance)
     return limited - limited * limited * limited * (1.0f / (3.0f * kWindowRadius * kWindowRadius));
 }
 
-/// A row's sum of the window is the difference of this at its end and begin.
+/// A row's window sum is the difference of this at its end and begin.
 TILT_LENS_INLINED Floats WindowSumUpTo(const Floats& distance)
 {
     constexpr float inverse = 1.0f / (kWindowRadius * kWindowRadius);
     return distance * ((1.0f + inverse / 12.0f) - distance * distance * (inverse / 3.0f));
 }
 
-/// Mask of a row's last vector: loaded from index kMostLanes - count, it starts with `count` ones.
+/// Loaded from index kMostLanes - count, a mask starts with `count` ones.
 constexpr float kInRow[2 * kMostLanes] = {1, 1, 1, 1, 1, 1, 1, 1};
 
 constexpr int kWidth = kVectorWidth<Floats>;
@@ -69,7 +69,7 @@ struct Extent
 {
     float middle, half;  ///< pixels
 
-    /// For each pixel within reach of pixel `own`: integral of its window over the extent inside the picture.
+    /// For each pixel within reach of `own`: integral of its window over the extent inside the picture.
     TILT_LENS_INLINED void FindSenders(int own, const PictureSpan& picture, LaneNumbers& senders) const
     {
         const float from = Max(picture.begin, middle - half), to = Min(picture.end, middle + half);
@@ -82,11 +82,11 @@ struct Extent
     }
 };
 
-/// A circle's pixels at most kReach away from the sample's own, row by row.
+/// Pixels at most kReach away from the sample's own, row by row.
 struct CirclePixels
 {
     int begin[kLanes], end[kLanes], count = 0;
-    float windowOf[kLanes], windowed = 0.0f;  ///< sums of the window over each row, and over all
+    float windowOf[kLanes], windowed = 0.0f;  ///< window sums of each row, and of all
     unsigned int rows = 0;  ///< one bit per row with pixels
     Extent across{}, down{};
 
@@ -138,10 +138,10 @@ struct CirclePixels
     }
 };
 
-/// Densities of a lens other than the unit disc at a circle's pixels.
+/// For lenses other than the unit disc.
 struct Densities
 {
-    float of[kRows * kRows + kMostLanes];  ///< the padding is not used
+    float of[kRows * kRows + kMostLanes];
     float sum = 0.0f;
 
     void Find(const CircleOfConfusion& circle, const CirclePixels& pixels, int column, int row)
@@ -170,12 +170,12 @@ TILT_LENS_INLINED float SquareOf(const Float4& value)
     return value[0] * value[0] + value[1] * value[1] + value[2] * value[2];
 }
 
-/// A row of a circle, with shares relative to the sample's own pixel.
+/// Shares are relative to the sample's own pixel.
 struct RowShares
 {
     const float* ofColumns;
     int begin, end;
-    const float* density;  ///< from the first pixel on; null: uniform
+    const float* density;  ///< null: uniform
 
     float DensityAt(int column) const { return density != nullptr ? density[column - begin] : 1.0f; }
 
@@ -188,8 +188,7 @@ struct RowShares
 };
 
 /// @param first    index of column 0 in a plane
-/// @param value    red, green, blue and 1, times the sample's weight
-/// @param square   squared colour, summed over the channels
+/// @param value    red, green, blue and 1, weighted
 TILT_LENS_INLINED void AddRow(Planes& planes, int first, const RowShares& shares, const Float4& value, float square)
 {
     const auto add = [&planes, first](int sum, int x, const Floats& part) TILT_LENS_INLINED_LAMBDA
@@ -209,13 +208,11 @@ TILT_LENS_INLINED void AddRow(Planes& planes, int first, const RowShares& shares
     }
 }
 
-/// @param density  per pixel; null: uniform
-/// @param sum      of the densities
-/// @param value    red, green, blue and 1
+/// @param density  null: uniform
 TILT_LENS_INLINED void Send(Planes& planes, const CirclePixels& pixels, const float* density, float sum, const Float4& value, float weight,
                             int column, int row)
 {
-    LaneNumbers ofColumns, ofRows;  // shares of columns are relative to the sample's own
+    LaneNumbers ofColumns, ofRows;
     pixels.across.FindSenders(column, planes.columns, ofColumns);
     pixels.down.FindSenders(row, planes.rows, ofRows);
     const float toColumn = ofColumns.of[kReach], toRow = ofRows.of[kReach];

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file variant.h
-/// Each file here is compiled once per variant, with TILT_LENS_VARIANT, its namespace, and TILT_LENS_REGISTER, the bytes of a vector
-/// register.
+/// Compiled once per variant: TILT_LENS_VARIANT is its namespace, TILT_LENS_REGISTER the bytes of a vector register.
 ///
-/// Call no inline function that is not TILT_LENS_INLINED: the linker keeps any one of the variants' copies, perhaps one that a processor
-/// cannot run. The test `unit.kernel_symbols` checks this.
+/// Call no inline function without TILT_LENS_INLINED: the linker keeps any variant's copy, perhaps one that the processor cannot run. The
+/// test `unit.kernel_symbols` checks this.
 
 #ifndef TILT_LENS_VARIANT_H
 #define TILT_LENS_VARIANT_H

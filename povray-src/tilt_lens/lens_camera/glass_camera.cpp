@@ -96,7 +96,7 @@ void GlassCamera::Tabulate()
     }
 }
 
-/// Gives dark entries the nearest lit one's ellipse, since points between may be lit.
+/// Gives dark entries the nearest lit ellipse, since points between may be lit.
 void GlassCamera::FillUnseen()
 {
     const std::vector<PupilNode> found = nodes;
@@ -152,7 +152,7 @@ PupilNode GlassCamera::Between(const FilmPoint& film) const
     return node;
 }
 
-/// Draws directions until one per film point passes.
+/// Draws again if blocked.
 /// @param waiting  one bit per film point that needs a ray
 /// @return         one bit per ray
 unsigned int GlassCamera::DrawRays(const GlassLens& colour, const FourGlassPoints& points, const FourPupils& pupils, unsigned int waiting,

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file glass_camera.h
-/// Camera rays through a lens of glass, tilted, swung and shifted as a whole about its front principal point (docs/optics.md, "Through
-/// glass").
+/// Camera rays through a lens of glass, moved about its front principal point (docs/optics.md, "Through glass").
 ///
-/// Samples are uniform over the passing directions (pupil_view.h): drawn from tabulated ellipses around them, again if blocked. The weight
-/// contains the open share, so a uniform surface has no noise.
+/// Samples are uniform over the passing directions: drawn from tabulated ellipses (pupil_view.h), again if blocked. The weight contains the
+/// open share, so a uniform surface has no noise.
 
 #ifndef TILT_LENS_GLASS_CAMERA_H
 #define TILT_LENS_GLASS_CAMERA_H
@@ -32,7 +31,7 @@ struct GlassSample
 {
     LensRay ray;
     double weight;  ///< of the radiance; 0: nothing to trace
-    std::uint32_t refused;  ///< blocked rays drawn before it
+    std::uint32_t refused;  ///< blocked rays drawn before
 };
 
 /// Immutable, thread-safe.
@@ -40,9 +39,9 @@ class GlassCamera
 {
   public:
     /// @param lens      with glass
-    /// @param aperture  uniform brightness, within the unit disc
+    /// @param aperture  uniform brightness; within the unit disc
     /// @param natural   share of the natural light fall-off, 0 to 1
-    /// @throws std::invalid_argument  at most 1 per cent of the stop is open in the picture's middle
+    /// @throws std::invalid_argument  if at most 1 per cent of the stop is open in the picture's middle
     GlassCamera(std::shared_ptr<const SolvedLens> lens, const Aperture& aperture, double natural);
 
     /// At the d line.
@@ -50,7 +49,7 @@ class GlassCamera
 
     GlassSample Draw(const FilmPoint& film, double u, double v, std::uint32_t seed) const { return DrawThrough(glass, film, u, v, seed); }
 
-    /// For dispersion. The share that the rims block is the d line's, so a uniform grey surface has no colour.
+    /// The share that the rims block is the d line's, so uniform grey has no colour.
     /// @param hue  -1 (blue end) to 1 (red end)
     GlassSample DrawColour(const FilmPoint& film, double u, double v, std::uint32_t seed, double hue) const
     {

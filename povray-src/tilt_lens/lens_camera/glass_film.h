@@ -19,7 +19,7 @@ struct FourGlassPoints
     double x[4], y[4];
     double u[4], v[4];      ///< in [0, 1)
     std::uint32_t seed[4];  ///< for drawing blocked directions again
-    unsigned int wanted;    ///< one bit per point that needs a sample, the lowest for the first
+    unsigned int wanted;    ///< one bit per point that needs a sample
 };
 
 struct FourGlassSamples
@@ -32,12 +32,12 @@ struct FourPupils
 {
     double place[3][4];                           ///< film points, lens frame, mm
     double l[4], m[4], radial[4], tangential[4];  ///< ellipses of directions
-    double axisL[4], axisM[4];                    ///< radial axes of the ellipses
+    double axisL[4], axisM[4];                    ///< their radial axes
     double brightness[4];
     unsigned int seen = 0;                        ///< one bit per film point with light
 };
 
-/// The ellipse's centre is relative to the paraxial aim, so that it varies little over the frame.
+/// The ellipse's centre is relative to the paraxial aim, so it varies little over the frame.
 struct PupilNode
 {
     double l = 0.0, m = 0.0, radial = 0.0, tangential = 0.0;
@@ -46,7 +46,7 @@ struct PupilNode
     bool seen = false;
 };
 
-/// Entries per row and column; odd, so that one is the centre. Interpolating the open share errs by 1/2000.
+/// Odd, so that one entry is the centre. Interpolating the open share errs by 1/2000.
 constexpr int kPupilTableSide = 33;
 
 template<class Vector>
@@ -109,7 +109,7 @@ struct GlassFilm
         return falloff * open / middleOpen;
     }
 
-    /// Scales the direction to the axial length of the film point's chief ray, so that ray parameters compare with ideal rays'.
+    /// Scales the direction to the axial length of the chief ray, so that ray parameters compare with ideal rays'.
     template<class Number>
     TILT_LENS_INLINED LensRayOf<Number> ToWorld(const Number& x, const Number& y, const GlassRayOf<Number>& ray) const
     {

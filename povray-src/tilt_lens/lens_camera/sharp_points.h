@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sharp_points.h
-/// Aperture and blurs for `sharp_points`, of the real lens; the plane of sharp focus is the best for an ideal one (sharp_plane.h).
+/// Aperture and blurs for `sharp_points`; the plane of sharp focus is the best for an ideal lens (sharp_plane.h).
 
 #ifndef TILT_LENS_SHARP_POINTS_H
 #define TILT_LENS_SHARP_POINTS_H
@@ -20,8 +20,7 @@ inline constexpr int kFewestSharpPoints = 3, kMostSharpPoints = 100;
 /// No lens in air has less.
 inline constexpr double kWidestStop = 0.5;
 
-/// Smallest f-number, not below kWidestStop and no wider than the lens opens, that keeps all sharp points within `sharpWithin`. Returns
-/// other statements unchanged.
+/// Sets the smallest f-number that keeps all sharp points within `sharpWithin`, at least kWidestStop and the lens's own.
 /// @throws OpticsError  as Solve()
 Statement WithWidestStop(const CameraFrame& camera, const Statement& given);
 
@@ -31,8 +30,8 @@ std::vector<double> SharpPointBlurs(const Vec3& location, const Statement& given
 
 double GreatestBlur(const std::vector<double>& blurs);
 
-/// Greatest blur of the sharp points, mm on the film, through the same lens at the same f-number, parallel to the film and focused best.
-/// None if it cannot focus so. Needs an aperture.
+/// Greatest blur of the sharp points, mm on the film, with the same lens and f-number parallel to the film and focused best; none if
+/// impossible. Needs an aperture.
 std::optional<double> BlurWithoutTilt(const Vec3& location, const Statement& given, const Lens& lens);
 
 } // namespace tilt_lens

@@ -19,10 +19,10 @@ namespace tilt_lens
 namespace
 {
 
-/// Relative tolerance: an f-number of four digits counts as the glass's own.
+/// An f-number of four digits counts as the glass's own.
 constexpr double kSameFNumber = 1e-3;
 
-/// Least distance, mm, from a film corner to the last surface's vertex; negative if the film reaches into the glass.
+/// Least distance, mm, from the last vertex to a film corner; negative if the film reaches into the glass.
 double RoomBehind(const Lens& lens, const CardinalPoints& points)
 {
     double least = HUGE_VAL;
@@ -43,7 +43,7 @@ double GroupsOf(const CameraFrame& camera, const Statement& given)
     return StateFor(*given.prescription, [&](double focalLength) { return FilmVergence(camera, given, focalLength); });
 }
 
-/// @throws OpticsError  an aperture wider than the glass; a film within the glass
+/// @throws OpticsError  if the aperture is wider than the glass or the film within it
 void ApplyPrescription(SolvedLens& lens, const Statement& given)
 {
     const auto glass = std::make_shared<GlassLens>(*given.prescription);

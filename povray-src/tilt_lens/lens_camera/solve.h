@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file solve.h
-/// Solves any `tilt_lens` statement, for a thin lens or a lens of glass.
+/// Solves any `tilt_lens` statement.
 
 #ifndef TILT_LENS_SOLVE_H
 #define TILT_LENS_SOLVE_H
@@ -16,7 +16,6 @@ namespace tilt_lens
 
 class GlassLens;
 
-/// The glass is traced in place of the thin lens.
 struct SolvedLens : Lens
 {
     std::shared_ptr<const GlassLens> glass;          ///< stopped down; null: thin lens
@@ -27,13 +26,12 @@ struct SolvedLens : Lens
     SolvedLens(const Lens& thin) : Lens(thin) {}
 };
 
-/// @throws OpticsError  as SolveThinLens(); glass that is too narrow or ends behind the film
+/// @throws OpticsError  as SolveThinLens(); glass too narrow or behind the film
 SolvedLens Solve(const CameraFrame& camera, const Statement& given);
 
-/// Takes the prescription's focal length and f-number, if any.
 Statement IdealStatement(const Statement& given);
 
-/// Puts the prescription in a focus state (inner_focus.h), if it moves groups.
+/// Focus state as in inner_focus.h.
 Statement WithGroups(const Statement& given, double state);
 
 } // namespace tilt_lens

@@ -4,7 +4,7 @@
 /// @file area.h
 /// Rectangles of pixels.
 ///
-/// The folder math/ holds types and small functions that know neither lens nor film. It includes no other folder of the library.
+/// The folder math/ knows neither lens nor film.
 
 #ifndef TILT_LENS_AREA_H
 #define TILT_LENS_AREA_H

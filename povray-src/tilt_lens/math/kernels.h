@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file kernels.h
-/// Functions that use vector registers. The folder kernels/ is compiled twice: for every processor into the namespace `plain`, on x86 also
-/// for AVX2 into `avx2`. Both give the same results to the last bit.
+/// Functions that use vector registers. The folder kernels/ is compiled twice: into `plain`, and on x86 for AVX2 into `avx2`.
 
 #ifndef TILT_LENS_KERNELS_H
 #define TILT_LENS_KERNELS_H
@@ -39,17 +38,15 @@ struct Kernels
     /// @name Samples
     /// @{
 
-    /// Points of a group of samples.
     /// @param first  Sobol point of the group's first sample, bits reversed
     /// @param seeds  scrambling of each dimension
     void (*findPoints)(const std::uint32_t* first, const std::uint32_t* seeds, const GroupTable& steps, SequencePoints& points);
 
-    /// Film points by FilmPointAt(), weights 1.
+    /// As FilmPointAt(), with weights 1.
     void (*findFilmPoints)(double column, double row, double width, double height, const Quads& quads, const SequencePoints& points,
                            CameraSamples& samples);
 
-    /// Adds radiances to a sum and a sum of squares. Returns false, with nothing added, if any may be infinite or NaN.
-    /// @param sum, squares  a Radiance's channels
+    /// False, with nothing added, if any radiance may be infinite or NaN.
     bool (*addRadiances)(const SampleResult* results, std::uint32_t count, double* sum, double* squares, double& greatestEmission);
     /// @}
 
@@ -60,7 +57,7 @@ struct Kernels
 
     void (*findPositions)(const double* u, const double* v, double edges, double* positions, double* radii);
 
-    /// Rays of a lens without distortion.
+    /// Without distortion.
     /// @param begin, end  multiples of 4
     /// @return            false, with invalid rays, if a squared length may overflow or underflow
     bool (*makeRays)(const Lens& lens, const RayArrays& rays, std::size_t begin, std::size_t end);
@@ -70,23 +67,20 @@ struct Kernels
 
     void (*findPupils)(const GlassFilm& film, const PupilNode* nodes, const FourGlassPoints& points, FourPupils& pupils);
 
-    /// Rays from film points through points of their ellipses.
     /// @param a, b  points of the unit disc
     /// @return      one bit per ray that exists
     unsigned int (*aimAtPupils)(const FourPupils& pupils, const double* a, const double* b, FourGlassRays& rays);
 
-    /// Rays behind the lens, world frame.
+    /// World frame.
     void (*leaveGlass)(const GlassFilm& film, const FourGlassPoints& points, const FourGlassRays& rays, FourGlassSamples& samples);
     /// @}
 
     /// @name Reconstruction
     /// @{
 
-    /// Sends radiance to the pixels of its circle of confusion.
-    /// @return  false, with nothing changed, if the circle holds only its own pixel
+    /// False, with nothing changed, if the circle holds only its own pixel.
     bool (*spreadSample)(SpreadPlanes& planes, int column, int row, const CircleOfConfusion& circle, const double* radiance, float weight);
 
-    /// Means of all filters and spread estimates, weighted by risk.
     void (*filterBlock)(const FilterInput& input, const FilterOutput& output);
 
     void (*estimateSpread)(const FilterInput& input, const FilterOutput& output);
@@ -105,7 +99,7 @@ extern const Kernels kKernels;
 }
 #endif
 
-/// The best for this processor; tests replace them.
+/// Variant for this processor; tests replace it.
 extern const Kernels* kernels;
 
 } // namespace tilt_lens

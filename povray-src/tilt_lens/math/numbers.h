@@ -13,7 +13,6 @@ namespace tilt_lens
 /// Largest relative rounding error of a difference that ought to be 0.
 inline constexpr double kRounding = 1e-14;
 
-/// Six significant digits.
 inline std::string Number(double value)
 {
     char text[32];

@@ -22,7 +22,7 @@ inline double Square(double x)
     return x * x;
 }
 
-/// result[c] = operation(result[c], value[c]), two channels at a time. Compilers cannot do so, since arguments may overlap.
+/// Two channels at a time, which compilers cannot do, since arguments may overlap.
 template<class Operation>
 inline void Combine(Radiance& result, const Radiance& value, const Operation& operation)
 {
@@ -71,7 +71,7 @@ inline double MeanColour(const Radiance& value)
     return (value[0] + value[1] + value[2]) / 3.0;
 }
 
-/// @param value  without negative channels, as variances
+/// @param value  without negative channels
 inline double LargestChannel(const Radiance& value)
 {
     double largest = 0.0;
@@ -80,7 +80,7 @@ inline double LargestChannel(const Radiance& value)
     return largest;
 }
 
-/// Divisor that makes a variance relative: 1 up to white, the squared mean above, as eyes see errors of bright pixels.
+/// Divisor that makes a variance relative: 1 up to white, the squared mean above, as eyes see errors.
 inline double SquaredScale(double mean)
 {
     return mean > 1.0 ? mean * mean : 1.0;

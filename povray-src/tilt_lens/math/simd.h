@@ -4,9 +4,8 @@
 /// @file simd.h
 /// Vector registers of 16 and 32 bytes. Memory needs no alignment.
 ///
-/// Vectorised functions are compiled twice, for every processor with 16 bytes and for AVX2 with 32: in kernels/, or as inlined templates.
-/// Multiplications and additions are never contracted, so both give the same results. A function that takes or returns a 32-byte register
-/// must be inlined: the two builds pass it differently.
+/// Both variants of a function (kernels.h) give the same results to the last bit: multiplications and additions are never contracted. They
+/// pass 32-byte registers differently, so a function that takes or returns one must be inlined.
 
 #ifndef TILT_LENS_SIMD_H
 #define TILT_LENS_SIMD_H
@@ -34,7 +33,7 @@ typedef decltype(Double4() < Double4()) LongMask4;
 template<class Vector>
 constexpr std::size_t kVectorWidth = sizeof(Vector) / sizeof(std::declval<Vector&>()[0]);
 
-/// Call only if HasAvx2(). Functions inlined into it are compiled for AVX2 as well.
+/// Call only if HasAvx2(). Functions inlined into it are compiled for AVX2 too.
 #if defined(__x86_64__) || defined(__i386__)
 #define TILT_LENS_FOR_AVX2 __attribute__((target("avx2,bmi")))
 #else
@@ -60,7 +59,6 @@ inline bool HasAvx2()
 #endif
 }
 
-/// @param from  as many numbers as Vector holds; Vector may be a number
 template<class Vector, class Number>
 TILT_LENS_INLINED Vector Load(const Number* from)
 {
@@ -84,7 +82,7 @@ TILT_LENS_INLINED void Store(Number* to, const Vector& vector)
 template<class Number>
 using MaskOf = decltype(std::declval<Number>() < std::declval<Number>());
 
-/// @name Lane by lane, or for two numbers; b if either is NaN.
+/// @name Lane by lane; b if either is NaN.
 /// @{
 template<class Vector>
 TILT_LENS_INLINED Vector Min(const Vector& a, const Vector& b)
@@ -105,7 +103,7 @@ TILT_LENS_INLINED Number Clamp(const Number& value, const Number& least, const N
     return value < least ? least : most < value ? most : value;
 }
 
-/// @name As in the standard library, but always inlined (kernels/variant.h).
+/// @name Always inlined (kernels/variant.h).
 /// @{
 TILT_LENS_INLINED float SquareRoot(float value)
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file vec3.h
-/// Three-dimensional vectors. Frame and unit stand at a vector's declaration. Rays use doubles; the solver uses a longer type.
+/// Frame and unit stand at a vector's declaration. The solver uses a number type longer than double.
 
 #ifndef TILT_LENS_VEC3_H
 #define TILT_LENS_VEC3_H
@@ -71,7 +71,7 @@ inline VecOf<N> Cross(const VecOf<N>& a, const VecOf<N>& b)
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// @name Vectors side by side, in separate arrays of x, y and z.
+/// @name Vectors in separate arrays of x, y and z.
 /// @{
 template<class Vector, std::size_t size>
 TILT_LENS_INLINED VecOf<Vector> LoadVectors(const double (&from)[3][size], std::size_t first)

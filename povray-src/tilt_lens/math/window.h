@@ -12,9 +12,9 @@
 namespace tilt_lens
 {
 
-/// Means over pixels at most `kRadius` columns and rows away, clipped to the rectangle.
-/// @tparam Value  starts as zero; needs AddTo(Value&, const Value&) and DivideBy(Value&, double)
-/// @param values  one per pixel, row by row
+/// Means over pixels at most `kRadius` columns and rows away, within the rectangle.
+/// @tparam Value  starts as zero; needs AddTo() and DivideBy()
+/// @param values  row by row
 template<int kRadius, class Value>
 std::vector<Value> WindowMeans(const std::vector<Value>& values, int width)
 {

@@ -13,8 +13,8 @@ namespace
 
 constexpr int kSide = int(settings.blockSide);
 
-/// Copies a block's row into a padded block; `place` is -1 left of its middle block, 0, or 1 right of it. With `mirror`, the middle
-/// block's row replaces the neighbour's.
+/// @param place   -1 left of the middle block, 0, or 1 right of it
+/// @param mirror  true if `from` is the middle block's row
 void CopyRow(const float* from, int place, bool mirror, float* row)
 {
     constexpr int border = PaddedBlock::kBorder;

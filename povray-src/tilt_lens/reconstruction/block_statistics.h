@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file block_statistics.h
-/// Input of the reconstruction: statistics of a block's and surrounding pixels, one plane per number. To add a number, add a name to
-/// BlockStatistics::Plane.
+/// Input of the reconstruction: one plane per number.
 
 #ifndef TILT_LENS_BLOCK_STATISTICS_H
 #define TILT_LENS_BLOCK_STATISTICS_H
@@ -27,14 +26,13 @@ class BlockStatistics
     {
         kMean = 0,
         kNoise = 5,    ///< estimated variance of the mean, summed over the channels
-        kMissed = 6,   ///< fraction of the noise that only other pixels' samples show
+        kMissed = 6,   ///< fraction of noise that only other pixels' samples show
         kSamples = 7,
         kPlanes
     };
 
     void Set(std::uint32_t x, std::uint32_t y, const Radiance& mean, double noise, double missed, std::uint32_t samples);
     /// Repeats the outermost pixels beyond the picture's edge.
-    /// @param width, height  of the area that was Set
     void RepeatEdges(std::uint32_t width, std::uint32_t height);
 
     const BlockPlane& operator[](std::size_t plane) const { return planes[plane]; }
@@ -48,7 +46,7 @@ class BlockStatistics
     bool transparent = false;
 };
 
-/// Has a border as wide as filters and their risks reach.
+/// Its border is as wide as filters and their risks reach.
 class PaddedBlock
 {
   public:
@@ -60,8 +58,7 @@ class PaddedBlock
 
     TILT_LENS_INLINED static constexpr int At(int x, int y) { return (y + kBorder) * kColumns + x + kBorder; }
 
-    /// @param blocks  the block and its eight neighbours, row by row. For null (outside the picture or unknown) the nearest block is
-    ///                mirrored.
+    /// @param blocks  row by row; for null (outside the picture or unknown) the nearest is mirrored
     explicit PaddedBlock(const std::array<const BlockStatistics*, 9>& blocks);
 
     const Plane& Mean(std::size_t channel) const { return planes[BlockStatistics::kMean + channel]; }

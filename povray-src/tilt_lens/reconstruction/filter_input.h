@@ -15,7 +15,6 @@ struct SpreadInput
     const float *mean[3], *variance, *share, *samples, *ownShare;
 };
 
-/// Planes of a PaddedBlock, and the rows to filter.
 struct FilterInput
 {
     const float *mean[5], *noise, *missed, *samples;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file filters.h
-/// Linear filters along rows, columns and diagonals, and the bank of their products: docs/sampling.md, section 5.
+/// Linear filters and the bank of their products: docs/sampling.md, section 5.
 ///
 /// Source of the parabolas: A. Savitzky, M. J. E. Golay, "Smoothing and differentiation of data by simplified least squares procedures",
 /// Anal. Chem. 36(8), 1964.
@@ -37,7 +37,7 @@ constexpr float kTaps[kFilters][settings.filterRadius + 1] = {
 struct FilterPair
 {
     Filter across, down;
-    int slant = 0;  ///< columns that the second moves per row: 0, or 1 or -1 along a diagonal
+    int slant = 0;  ///< column step per row of `down`: 0, or 1 or -1 along a diagonal
 };
 
 /// Diagonals have the filters of rows and columns, so that remaining noise has no preferred direction.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file padded_spread.h
-/// Spread samples received by a block's pixels and its border, without the pixels' own: docs/sampling.md, section 5.
+/// Samples received by a block's pixels and its border from other pixels: docs/sampling.md, section 5.
 
 #ifndef TILT_LENS_PADDED_SPREAD_H
 #define TILT_LENS_PADDED_SPREAD_H
@@ -24,7 +24,7 @@ class PaddedSpread
 
     using Sent = std::array<const SpreadSums*, 9>;
 
-    /// @param sent    samples spread by the block, in the middle, and its eight neighbours, row by row; null: none
+    /// @param sent    by the block, in the middle, and its neighbours; null: none
     /// @param weight  sum of a pixel's sample weights; neighbours' sums are scaled to it
     /// @return        null if nothing was spread
     static std::shared_ptr<const PaddedSpread> Of(const Sent& sent, std::uint32_t weight);
@@ -32,8 +32,8 @@ class PaddedSpread
     std::array<Plane, 3> mean;  ///< of received samples; 0: none
     Plane variance;  ///< of one received sample, summed over the channels
     Plane share;  ///< sum of received shares times weights
-    Plane samples;  ///< number of received samples, as if all had equal shares
-    Plane ownShare;  ///< mean share that a sample of the pixel keeps for it
+    Plane samples;  ///< number of received samples if all had equal shares
+    Plane ownShare;  ///< mean share that a sample keeps for its pixel
 
   private:
     using Received = std::array<Plane, SpreadSums::kSums>;

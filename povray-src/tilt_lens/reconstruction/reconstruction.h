@@ -4,16 +4,8 @@
 /// @file reconstruction.h
 /// Reconstructs the picture from its pixels' means: docs/sampling.md, section 5, with sources.
 ///
-/// The folder reconstruction/ makes the picture from samples. It spreads samples over their circles of confusion, filters noise from the
-/// pixels' means, and estimates the remaining noise, which the stop rule uses.
-///
-/// Candidates, most of them linear filters F of the means (filters.h), are averaged at each pixel with weights that fall as 1 / risk^2,
-/// with Stein's estimate
-///
-///     risk = mean over the 7 by 7 pixels q around of (|F q - q|^2 - (1 - 2 F_0) var q) / var q.
-///
-/// F_0 is the filter's tap of the pixel itself; squares and variances are summed over the channels. Two more candidates are the spread
-/// estimate S (padded_spread.h), and S + mean9x9(q - S). The remaining variance is at most the weighted mean of the candidates' variances.
+/// The folder reconstruction/ spreads samples over their circles of confusion, filters noise, and estimates the rest for the stop rule.
+/// Candidates (filters.h, padded_spread.h) are averaged with weights of about 1 / risk^2, with Stein's unbiased risk estimate.
 
 #ifndef TILT_LENS_RECONSTRUCTION_H
 #define TILT_LENS_RECONSTRUCTION_H
@@ -41,12 +33,11 @@ struct ReconstructedBlock
     std::array<BlockPlane, 5> mean;
     BlockPlane residualVarianceRatio;  ///< fraction of variance that the filters leave, (0, 1]
 
-    /// Infinite or NaN beside a pixel too bright for a float.
+    /// Not finite beside a pixel too bright for a float.
     Radiance MeanOf(std::size_t pixel) const;
 };
 
-/// @param spread  of the same blocks; null: none
-/// @param rows    to reconstruct; others stay unchanged
+/// @param rows  to reconstruct; others stay unchanged
 ReconstructedBlock Reconstruct(const PaddedBlock& around, const PaddedSpread* spread = nullptr, const Rows& rows = Rows());
 
 /// For pixels with one sample, whose noise is unknown.

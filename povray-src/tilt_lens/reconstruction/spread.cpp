@@ -35,7 +35,7 @@ LensFootprint::LensFootprint(const Lens& lens, const Aperture& aperture, double 
 
 void LensFootprint::FindDensities(const AperturePoints& first, const AperturePoints& step, int count, float* densities) const
 {
-    // table positions in units of 2^-kShift cells; kReach pixels on either side cannot overflow
+    // in units of 2^-kShift cells; kReach pixels on either side cannot overflow
     constexpr int kShift = 16, kMost = 1024, last = settings.densityCells - 1;
     const float scale = 0.5f * settings.densityCells / boundingRadius;
     const auto places = [](float cells) { return int(std::min(std::max(cells, float(-kMost)), float(kMost)) * (1 << kShift)); };

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file spread.h
-/// Spreads each sample over its circle of confusion, whose pixels all see the hit point: docs/sampling.md, section 5, with sources. A
-/// pixel's received radiance over its received shares is its spread estimate S, which ignores occlusion.
+/// Spreads each sample over its circle of confusion: docs/sampling.md, section 5. Occlusion is ignored.
 
 #ifndef TILT_LENS_SPREAD_H
 #define TILT_LENS_SPREAD_H
@@ -25,16 +24,16 @@ namespace tilt_lens
 
 class LensFootprint;
 
-/// The pixels that see a point, to first order: the pixel at (`x`, `y`) - M (a, b) sees it through the lens point (a, b), in aperture
+/// The pixels that see a point, to first order: the pixel (`x`, `y`) - M (a, b) sees it through the lens point (a, b), in aperture
 /// coordinates. Frame: pixels to the right and down.
 struct CircleOfConfusion
 {
-    float x = 0.0f, y = 0.0f;  ///< the point's place in the pinhole picture
+    float x = 0.0f, y = 0.0f;  ///< place in the pinhole picture
     float xa = 0.0f, xb = 0.0f, ya = 0.0f, yb = 0.0f;  ///< M, row by row
     const LensFootprint* lens = nullptr;  ///< null: serves its own pixel alone
 };
 
-/// A point in aperture coordinates, or the step to the next.
+/// A point in aperture coordinates, or a step.
 struct AperturePoints
 {
     float a, b;
@@ -44,10 +43,9 @@ struct AperturePoints
 class LensFootprint
 {
   public:
-    /// @param width, height  of the whole picture, pixels
+    /// @param width, height  whole picture, pixels
     LensFootprint(const Lens& lens, const Aperture& aperture, double width, double height);
 
-    /// @param point     lens point of the ray
     /// @param vergence  1/T - w, with the hit's ray parameter T, and w as in MakeRay
     CircleOfConfusion CircleOf(const FilmPoint& film, const AperturePoint& point, double vergence) const;
 
@@ -60,7 +58,7 @@ class LensFootprint
   private:
     struct Axis
     {
-        /// A lens axis: along the film, in frame widths and heights; along the camera's axis, in units of `direction`.
+        /// Along the film, in frame widths and heights; along the camera's axis, in units of `direction`.
         double x, y, depth;
         double focus;  ///< dot product with the lens's k
     } axisA, axisB;
@@ -70,7 +68,7 @@ class LensFootprint
     std::vector<float> density;  ///< empty for a disc
 };
 
-/// The picture's range of columns or rows, relative to the block's first.
+/// Range of the picture's columns or rows, relative to the block's first.
 struct PictureSpan
 {
     float begin, end;
@@ -86,8 +84,7 @@ struct SpreadPlanes
     static constexpr int kSide = int(settings.blockSide) + 2 * kReach;
     static constexpr int kMostLanes = sizeof(Float8) / sizeof(float);
 
-    /// Sums of shares times weights, multiplied by red, green, blue, 1, and the squared colour summed over the channels; last, the sum of
-    /// their squares.
+    /// Sums of weighted shares, times red, green, blue, 1, and squared colour; last, of squared weighted shares.
     enum Sum
     {
         kRed,
@@ -112,7 +109,6 @@ struct SpreadPlanes
     TILT_LENS_INLINED static constexpr int PlaceOf(int x, int y) { return (y + kReach) * kSide + x + kReach; }
 };
 
-/// Samples that a block's pixels spread to pixels at most kReach away.
 class SpreadSums : private SpreadPlanes
 {
   public:
@@ -120,19 +116,19 @@ class SpreadSums : private SpreadPlanes
     using SpreadPlanes::Sum, SpreadPlanes::kRed, SpreadPlanes::kGreen, SpreadPlanes::kBlue, SpreadPlanes::kShare, SpreadPlanes::kSquares,
         SpreadPlanes::kSquaredShares, SpreadPlanes::kSums;
 
-    /// @param block  the sender, in the whole picture
-    /// @param width, height  of the whole picture, pixels
+    /// @param block  in the whole picture
+    /// @param width, height  whole picture, pixels
     SpreadSums(const Area& block, double width, double height);
 
-    /// @param column, row  of the sample's pixel in the block
+    /// @param column, row  in the block
     /// @param circle       centre relative to the block's upper left corner
-    /// @param weight       every pixel's weights have the same sum: a surface is not brighter where more rays have hit it
+    /// @param weight       equal sum for every pixel: a surface is not brighter where more rays have hit it
     void Add(int column, int row, const CircleOfConfusion& circle, const Radiance& radiance, float weight = 1.0f);
     void AddSharp(int column, int row, float weight);
 
-    /// Received by pixel (x, y), -kReach <= x, y < blockSide + kReach, and the pixels to its right.
+    /// Received by pixel (x, y) and those to its right; -kReach <= x, y < blockSide + kReach.
     const float* From(Sum sum, int x, int y) const { return &sums[sum][PlaceOf(x, y)]; }
-    /// Sum of the shares times weights that a pixel's samples kept for it.
+    /// Weighted shares that a pixel's samples kept for it.
     float OwnShare(int x, int y) const { return own[y * int(settings.blockSide) + x].share; }
     float OwnWeight(int x, int y) const { return own[y * int(settings.blockSide) + x].weight; }
     float PixelWeight() const { return own[0].weight; }

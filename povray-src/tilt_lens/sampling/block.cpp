@@ -16,7 +16,7 @@ namespace tilt_lens
 namespace
 {
 
-/// @param results  buffer for the results of one run
+/// @param results  buffer of one run
 void TakeRound(PixelStatistics& pixel, std::uint32_t x, std::uint32_t y, std::uint32_t until, SentSamples* sent, const Tracer& tracer,
                SampleResult* results)
 {
@@ -32,8 +32,8 @@ void TakeRound(PixelStatistics& pixel, std::uint32_t x, std::uint32_t y, std::ui
     }
 }
 
-/// Takes the missing samples of active pixels, up to number `until`. A reactivated pixel catches up round by round, so that its two
-/// buffers divide as those of other pixels.
+/// Takes the active pixels' samples up to number `until`. A reactivated pixel catches up round by round, so that its two buffers divide as
+/// others do.
 /// @param sent  receives the samples that serve other pixels; may be null
 void TakeSamples(BlockEstimate& estimate, std::uint32_t until, const SamplingLimits& limits, SentSamples* sent, const Tracer& trace)
 {
@@ -50,8 +50,7 @@ void TakeSamples(BlockEstimate& estimate, std::uint32_t until, const SamplingLim
         }
 }
 
-/// True if many pixels will take several more rounds anyway, so that a longer first round is free. Its samples, seen by other blocks and
-/// spread to other pixels, are then more reliable.
+/// True if many pixels need several more rounds: a longer first round is then free, and helps other blocks.
 bool IsFarFromConvergence(const BlockEstimate& estimate, const SamplingLimits& limits)
 {
     if (!limits.Denoises() || estimate.firstSamples < 2)  // one sample shows no variance
@@ -186,7 +185,7 @@ void Block::SetResults(const BlockEstimate& last, double loneVariance)
     }
 }
 
-/// @param own  final statistics of the block; neighbours' statistics are those of the previous step
+/// @param own  final; neighbours' statistics are those of the previous step
 void Block::ReconstructResults(const Neighbours& neighbours, const SamplingLimits& limits, const BlockStatistics* own,
                                const PaddedSpread* received)
 {

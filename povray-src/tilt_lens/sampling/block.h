@@ -4,17 +4,12 @@
 /// @file block.h
 /// Adaptive sampling of a block, a square of pixels on a grid fixed to the whole picture: docs/sampling.md, section 1.
 ///
-/// The folder sampling/ answers: which samples, and how many? It chooses the number of samples of each pixel, draws their film and lens
-/// points, and estimates their variance. Render threads enter by tile_sampler.h; sample.h is the interface to the ray tracer.
+/// The folder sampling/ chooses each pixel's samples, and estimates their variance. Render threads enter by tile_sampler.h; sample.h is the
+/// interface to the ray tracer.
 ///
-/// A block is computed in three steps. Each reads only results of the previous step, of the block and its eight neighbours:
-///
-///     look      a first round of samples
-///     converge  further rounds, until the stop rule holds for the block's samples and its neighbours' first rounds
-///     finish    further rounds of pixels that have missed something by the evidence of all samples around, then the reconstruction
-///
-/// Results depend on positions in the picture alone, never on threads, tiles or sub-images (section 7). Any thread may request any step at
-/// any time: the first one takes it, and none waits here. If the tracer throws during a step, the block stays unchanged.
+/// Three steps, look, converge and finish, read only the previous step's results of the block and its eight neighbours. Results depend on
+/// positions in the picture alone, never on threads or tiles (section 7). Any thread may request any step; the first one takes it. If the
+/// tracer throws, the block stays unchanged.
 
 #ifndef TILT_LENS_BLOCK_H
 #define TILT_LENS_BLOCK_H
@@ -35,10 +30,9 @@
 namespace tilt_lens
 {
 
-/// A pixel after its last sample.
 struct PixelResult
 {
-    double variance = 0.0;  ///< variance of the mean, averaged over the colours; above 1 relative to the square of the mean
+    double variance = 0.0;  ///< variance of the mean, averaged over colours, relative to SquaredScale
     Radiance mean{};
     std::uint32_t samples = 0, notFinite = 0, emitterSamples = 0;
     bool reconstructed = false;
@@ -52,21 +46,20 @@ class Block
 
     static constexpr int kSteps = 3;
 
-    /// True if step `step`, 1 to kSteps, reads the neighbours. A plain mean of `max` samples does not.
+    /// @param step  1 to kSteps
     static bool LooksAtNeighbours(int step, const SamplingLimits& limits)
     {
         return step == 2 ? limits.variance > 0.0 : step == kSteps && limits.Denoises();
     }
 
-    /// @param width, height  of the whole picture, pixels
+    /// @param width, height  whole picture, pixels
     Block(const Area& area, std::uint32_t width, std::uint32_t height) : area(area), sent(area, width, height) {}
 
     const Area area;
 
-    /// Steps taken so far, 0 to kSteps.
     int StepsTaken() const { return phase / 2; }
-    /// Takes the next step. The block and its neighbours must have taken `stepsTaken` steps.
-    /// @return  false, with nothing done, if another thread has begun this step
+    /// The block and its neighbours must have taken `stepsTaken` steps.
+    /// @return  false if another thread has begun the step
     bool TakeStep(int stepsTaken, const Neighbours& neighbours, const SamplingLimits& limits, const Tracer& trace);
 
     /// Valid after all steps; (x, y) in the whole picture.
@@ -82,9 +75,9 @@ class Block
     /// @name Left by the second step
     /// @{
     std::shared_ptr<const BlockStatistics> statistics;  ///< null: no denoising
-    std::shared_ptr<const SpreadSums> spread;           ///< samples of all rounds so far; null: none spread
+    std::shared_ptr<const SpreadSums> spread;           ///< of all rounds so far; null: none
     /// @}
-    /// @name Of the block alone
+    /// @name Read by this block alone
     /// @{
     std::unique_ptr<const BlockEstimate> estimate;  ///< until the last step
     SentSamples sent;                               ///< until the second step
@@ -95,14 +88,13 @@ class Block
     void Converge(const Neighbours& neighbours, const SamplingLimits& limits, const Tracer& trace);
     void Finish(const Neighbours& neighbours, const SamplingLimits& limits, const Tracer& trace);
 
-    /// Takes further rounds until no pixel is active.
     /// @param samples  fewest samples of an active pixel
     void TakeRounds(BlockEstimate& estimate, const Neighbourhood& around, const SamplingLimits& limits, std::uint32_t samples,
                     SentSamples* sent, const Tracer& trace) const;
     void SetResults(const BlockEstimate& last, double loneVariance);
     void ReconstructResults(const Neighbours& neighbours, const SamplingLimits& limits, const BlockStatistics* own,
                             const PaddedSpread* received);
-    /// Rows whose noise is noticeable compared with `variance`; with one sample per pixel all rows.
+    /// Rows with noticeable noise; all rows with one sample per pixel.
     Rows NoisyRows(const SamplingLimits& limits) const;
 };
 

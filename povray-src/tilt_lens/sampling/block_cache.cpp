@@ -134,7 +134,6 @@ bool BlockCache::TakeStep(const Step& step)
 }
 
 /// Takes steps that no other thread has begun, until the block has taken `steps`.
-/// @return  whether a step was taken
 bool BlockCache::Advance(const Place& place, int steps, const Tracer& trace)
 {
     const std::shared_ptr<Block> block = Get(place);
@@ -160,7 +159,6 @@ bool BlockCache::Advance(const Place& place, int steps, const Tracer& trace)
     return advanced;
 }
 
-/// Calls Advance() for the blocks of the window until one succeeds.
 bool BlockCache::AdvanceAny(const Tracer& trace)
 {
     for (const Place& place : Window())
@@ -169,7 +167,6 @@ bool BlockCache::AdvanceAny(const Tracer& trace)
     return false;
 }
 
-/// Blocks with remaining pixels in the first settings.windowRows rows that have any.
 std::vector<BlockCache::Place> BlockCache::Window()
 {
     const std::lock_guard<std::mutex> lock(mutex);

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file block_cache.h
-/// The blocks of the current picture, common to all render threads. A tile needs its own blocks and depends on neighbouring blocks,
-/// which belong to other tiles: the first thread that needs a block samples it, and it is freed when no remaining tile depends on it
-/// (docs/sampling.md, section 7).
+/// A picture's blocks, shared by all render threads. The first thread that needs a block samples it; the block is freed when no remaining
+/// tile depends on it (docs/sampling.md, section 7).
 
 #ifndef TILT_LENS_BLOCK_CACHE_H
 #define TILT_LENS_BLOCK_CACHE_H
@@ -25,7 +24,7 @@ namespace tilt_lens
 class BlockCache
 {
   public:
-    /// @param width, height  of the whole picture, pixels
+    /// @param width, height  whole picture, pixels
     /// @param rendered  the part that will be requested
     BlockCache(const SamplingLimits& limits, std::uint32_t width, std::uint32_t height, const Area& rendered);
 
@@ -35,17 +34,16 @@ class BlockCache
 
     static Place PlaceOf(std::uint32_t x, std::uint32_t y) { return {y / settings.blockSide, x / settings.blockSide}; }
 
-    /// Takes steps until the blocks at these places have taken all; places outside the picture are ignored. While other threads compute
-    /// the missing steps, this thread works ahead on others; it waits only if there are none.
+    /// Takes all steps of these blocks; ignores places outside the picture. The thread waits for others only if there are no further blocks
+    /// to work ahead on.
     void Finish(const std::vector<Place>& wanted, const Tracer& trace);
 
-    /// The block at a place; null outside the picture, and if no remaining pixel depends on it. It lives as long as the caller holds it.
+    /// Null outside the picture, and if no remaining pixel depends on the block.
     std::shared_ptr<const Block> At(const Place& place) { return Get(place); }
 
-    /// Declares that the pixels of `tile` will not be requested again.
+    /// The pixels of `tile` will not be requested again.
     void Release(const Area& tile);
 
-    /// Number of blocks in memory.
     std::size_t Size() const;
 
   private:
@@ -56,12 +54,12 @@ class BlockCache
     };
 
     const std::uint32_t width, height;
-    const Area blocks;  ///< that contain rendered pixels; in units of blocks
+    const Area blocks;  ///< with rendered pixels; in blocks
     mutable std::mutex mutex;
     std::condition_variable stepTaken;
     std::uint64_t steps = 0;  ///< steps completed or interrupted
-    std::int64_t firstRow;  ///< first row of blocks with remaining pixels
-    std::vector<std::uint16_t> toCome;  ///< for each of `blocks`: rendered pixels that are not yet released
+    std::int64_t firstRow;  ///< with remaining pixels
+    std::vector<std::uint16_t> toCome;  ///< unreleased pixels of each block
     std::map<Place, Entry> entries;
 
     bool IsInside(const Place& place) const;

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file block_estimate.h
-/// State of a block's pixels between two rounds, and a block's first round as its neighbours see it: plain data that the functions of
-/// convergence.h, pixel_variance.h and forecast.h read and update.
+/// A block's pixels between two rounds, and its first round as its neighbours see it.
 
 #ifndef TILT_LENS_BLOCK_ESTIMATE_H
 #define TILT_LENS_BLOCK_ESTIMATE_H
@@ -27,14 +26,14 @@ struct PixelEstimate
 {
     PixelStatistics statistics;
     double varianceRatio = 1.0;  ///< variance of the mean over that of as many independent samples
-    double variance = 0.0;       ///< variance of the mean, largest channel; above 1 relative to the square of the mean
-    double target = 0.0;         ///< variance target of the last decision
-    double excess = 0.0;         ///< variance that remains after the reconstruction, over the target, at the last decision
+    double variance = 0.0;       ///< variance of the mean, largest channel, relative to SquaredScale
+    double target = 0.0;         ///< variance target, at the last decision
+    double excess = 0.0;         ///< variance after the reconstruction over the target, at the last decision
     double residualVarianceRatio = 1.0 / settings.greatestRisk;  ///< predicted by the last forecast
-    bool active = true;          ///< takes part in the next round
+    bool active = true;
 };
 
-/// A value of each quadrant of a block: upper left, upper right, lower left, lower right.
+/// Upper left, upper right, lower left, lower right.
 using Quadrants = std::array<double, 4>;
 
 struct BlockEstimate
@@ -42,11 +41,11 @@ struct BlockEstimate
     Area area;
     std::uint32_t firstSamples = 0;             ///< per pixel
     std::vector<PixelEstimate> pixels;          ///< row by row
-    Quadrants dualBufferRatio{1.0, 1.0, 1.0, 1.0};  ///< variance estimated by dual buffers over that of independent samples
-    std::shared_ptr<const BlockStatistics> statistics;  ///< for the reconstruction; null: no denoising
-    std::uint32_t statisticsSamples = 0;        ///< samples of an active pixel when `statistics` were computed; 0: never
+    Quadrants dualBufferRatio{1.0, 1.0, 1.0, 1.0};  ///< variance by dual buffers over that of independent samples
+    std::shared_ptr<const BlockStatistics> statistics;  ///< null: no denoising
+    std::uint32_t statisticsSamples = 0;        ///< active pixels' samples in `statistics`; 0: never computed
     std::shared_ptr<const PaddedSpread>
-        spread; ///< samples spread to this block by itself and its neighbours; null: none, or not yet known
+        spread; ///< received from the block and its neighbours; null: none or unknown
 
     explicit BlockEstimate(const Area& area) : area(area), pixels(area.Size()) {}
 
@@ -54,39 +53,36 @@ struct BlockEstimate
     {
         return 2 * (pixel / area.width / (settings.blockSide / 2)) + pixel % area.width / (settings.blockSide / 2);
     }
-    /// Share of a pixel's samples that serves other pixels, [0, 1): 0 if nothing is blurred, near 1 in wide circles of confusion.
+    /// Share of a pixel's samples that serves other pixels, [0, 1).
     double SharedPart(std::size_t pixel) const { return spread ? 1.0 - spread->ownShare[PlaceOf(pixel)] : 0.0; }
-    /// Index of a pixel in a plane of `spread`.
     std::size_t PlaceOf(std::size_t pixel) const { return PaddedBlock::At(int(pixel % area.width), int(pixel / area.width)); }
-    /// False if the samples of each pixel are all equal and none were received.
+    /// False if each pixel's samples are equal and none were received.
     bool HasNoise() const;
 };
 
-/// A block after its first round, as its neighbours see it. Immutable.
+/// Immutable.
 struct FirstRound
 {
     std::uint32_t samples;       ///< per pixel
     std::size_t pixels;
-    double loneVariance = 0.0;   ///< mean excess of a pixel's variance over the sum of its eight neighbours' variances; relative
+    double loneVariance = 0.0;   ///< mean excess of a pixel's variance over its eight neighbours' sum; relative
     std::shared_ptr<const BlockStatistics> statistics;  ///< null: no denoising
-    std::shared_ptr<const SpreadSums> spread;           ///< samples spread to other pixels; null: none
+    std::shared_ptr<const SpreadSums> spread;           ///< null: none
 
     explicit FirstRound(const BlockEstimate& estimate);
 };
 
-/// First rounds of a block and its eight neighbours, row by row; null outside the picture or if not needed.
+/// Row by row, the block's own in the middle; null outside the picture or if not needed.
 using FirstRounds = std::array<const FirstRound*, 9>;
 
-/// First rounds around a block.
 struct Neighbourhood
 {
-    const FirstRounds rounds;  ///< the block's own in the middle; they must outlive this object
-    double loneVariance = 0.0;  ///< as in FirstRound, mean over all pixels
+    const FirstRounds rounds;  ///< must outlive this object
+    double loneVariance = 0.0;  ///< mean over all pixels
 
     Neighbourhood(const FirstRounds& rounds, const SamplingLimits& limits);
 };
 
-/// A member of each of nine objects; null where the object is null.
 template<class Part, class Whole, class Member>
 std::array<const Part*, 9> EachOf(const std::array<const Whole*, 9>& objects, Member Whole::* member)
 {

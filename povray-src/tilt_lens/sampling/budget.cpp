@@ -15,7 +15,7 @@ namespace tilt_lens
 namespace
 {
 
-/// One in so many of these blocks takes part in the trials: more where these would be fewer than kTrialBlocks.
+/// One in so many blocks takes part in the trials: more if they would be fewer than kTrialBlocks.
 constexpr std::size_t kTrialStride = 16, kLeastTrialStride = 8, kTrialBlocks = 32;
 
 } // namespace
@@ -49,7 +49,7 @@ Area BudgetPilot::PixelsOf(std::size_t place) const
     return {left, top, std::min(side, width - left), std::min(side, height - top)};
 }
 
-/// Places around one, and itself in the middle; null where no block is looked at.
+/// Null where no block is looked at.
 Block::Neighbours BudgetPilot::NeighboursOf(std::size_t place) const
 {
     Block::Neighbours neighbours{};
@@ -63,7 +63,7 @@ Block::Neighbours BudgetPilot::NeighboursOf(std::size_t place) const
     return neighbours;
 }
 
-/// All blocks if their samples can be recorded; else one, by chance, of each group of neighbouring blocks, all groups being alike in size.
+/// All blocks if `recordBytes` suffice; else a random one of each equally large group of neighbours.
 std::vector<std::size_t> BudgetPilot::ChosenPlaces(double recordBytes) const
 {
     const double pixels = settings.blockSide * settings.blockSide, ofBlock = pixels * SampleRecord::BytesOf(budget);
@@ -145,7 +145,6 @@ void BudgetPilot::Take(const Task& task, const Tracer& trace)
         EndStep();
 }
 
-/// Begins the next step or the next round, or ends the pilot.
 void BudgetPilot::EndStep()
 {
     given = ended = 0;
@@ -183,7 +182,6 @@ void BudgetPilot::EndRound()
     done = true;
 }
 
-/// The cost of this round's target, by the counted blocks.
 BudgetRound BudgetPilot::Measure() const
 {
     BudgetRound round;
@@ -205,7 +203,7 @@ BudgetRound BudgetPilot::Measure() const
     }
     round.samples = samples / pixels;
     round.used = samples / (double(width) * height);
-    // neighbours in order are neighbours in the picture: the variance within a group is about half of their mean squared difference
+    // neighbours in order adjoin in the picture: the variance within a group is about half of their mean squared difference
     const double n = counted.size(), missing = 1.0 - n / blocks.size();
     round.doubt = missing > 0.0 && n > 1.0 ? std::sqrt(missing * differences / (2.0 * (n - 1.0) * n)) : 0.0;
     return round;

@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file budget.h
-/// The variance target with which a picture takes a given mean number of samples: docs/sampling.md, section 9. The stop rule then spends
-/// them where they lower the error most.
+/// The variance target with which a picture takes a given mean number of samples: docs/sampling.md, section 9. Several targets are tried on
+/// some of its blocks; each sample is traced once.
 ///
-/// A pilot samples blocks that are spread over the whole picture with several variance targets, and chooses one: first a few of its blocks,
-/// then all of them. Each sample is traced once: the pilot and the picture take recorded ones where they can. The choice depends on scene,
-/// picture size and budget alone, never on threads, tiles or the part of the picture that is rendered.
+/// The choice depends on scene, picture size and budget alone, never on threads or the rendered part.
 
 #ifndef TILT_LENS_BUDGET_H
 #define TILT_LENS_BUDGET_H
@@ -31,21 +29,21 @@ class BudgetPilot
 {
   public:
     /// @param limits         the variance is not used
-    /// @param width, height  of the whole picture, pixels
+    /// @param width, height  whole picture, pixels
     /// @param budget         mean samples per pixel
-    /// @param recordBytes    memory of the recorded samples, which bounds the number of blocks of the pilot
+    /// @param recordBytes    bounds the number of blocks
     BudgetPilot(const SamplingLimits& limits, std::uint32_t width, std::uint32_t height, double budget,
                 double recordBytes = 256.0 * 1024 * 1024);
 
     /// One step of one block.
     struct Task
     {
-        std::size_t block;  ///< place in the picture, row by row
+        std::size_t block;  ///< row by row
     };
 
-    /// The next task, perhaps after waiting for other threads; nothing once the target is chosen.
+    /// Waits for other threads if necessary; none once the target is chosen.
     std::optional<Task> NextTask();
-    /// Takes a task. If the tracer throws, the task will be given to the next thread that asks.
+    /// If the tracer throws, another thread gets the task.
     void Take(const Task& task, const Tracer& trace);
 
     /// @name After the last task.
@@ -54,19 +52,19 @@ class BudgetPilot
     const BudgetRound& Chosen() const { return chosen; }
     double Lost() const { return recorded - chosen.used; }  ///< samples per pixel that the picture does not need
     double Budget() const { return budget; }
-    /// Copies samples if the pilot has taken all of them.
+    /// False unless the pilot has taken all samples of the run.
     bool Get(const SampleRun& run, SampleResult* results) const;
     /// @}
 
   private:
     const double budget;
-    const std::uint32_t width, height, columns, rows;  ///< of the picture; in pixels, in blocks
+    const std::uint32_t width, height, columns, rows;  ///< in pixels, in blocks
     SamplingLimits limits;
 
     struct Blocks
     {
-        std::vector<std::size_t> counted;  ///< places of the blocks whose samples are counted, in a fixed order
-        std::vector<std::size_t> looked;  ///< of these and their neighbours, whose first rounds they need
+        std::vector<std::size_t> counted;  ///< places whose samples are counted, in a fixed order
+        std::vector<std::size_t> looked;  ///< these and their neighbours, for their first rounds
     };
     Blocks few, all;
 
@@ -78,7 +76,7 @@ class BudgetPilot
     std::vector<Task> again;  ///< interrupted tasks
     bool done = false;
 
-    std::vector<std::unique_ptr<Block>> blocks;  ///< of this round, by place; null: not looked at
+    std::vector<std::unique_ptr<Block>> blocks;  ///< by place; null: not looked at
     std::vector<std::unique_ptr<SampleRecord>> records;  ///< by place
     BudgetRounds trials, rounds;
     double recorded = 0.0;

@@ -12,27 +12,24 @@ namespace tilt_lens
 namespace
 {
 
-/// The standard error is then less than a fortieth of a step of 8 bits: more samples would not be seen.
+/// More samples would not be seen: the standard error is then below a fortieth of an 8-bit step.
 constexpr double kLeastVariance = 1e-8;
 constexpr std::size_t kMostTrials = 24, kMostRounds = 12;
-/// Greatest factor between the variances of two trials. Greatest growth of the excess between two rounds with all blocks: by this factor,
-/// or by this share of the budget.
+/// Greatest factor between two trials' variances. Greatest growth of the excess between two rounds with all blocks, as a factor or a share
+/// of the budget.
 constexpr double kGreatestTrialFactor = 4.0, kGreatestGrowth = 1.5, kGreatestShare = 0.15;
 /// Nearer variances are not distinguished.
 constexpr double kLeastFactor = 1.02;
-/// Shares of the budget: that all blocks may take at first, since the trials' blocks may have missed lamps; that each search aims at; and
-/// that is enough.
+/// Shares of the budget: limit of the first round with all blocks, since the trials may have missed lamps; aim of each search; enough.
 constexpr double kFirstShare = 0.4, kAim = 0.96, kEnough = 0.91;
-/// The excess grows as a power of the inverse of the variance. About 1 if each pixel took as many samples as its noise needs; more where
-/// many pixels have the same noise.
+/// The excess grows as a power of the inverse variance. The exponent is about 1, more where many pixels have the same noise.
 constexpr double kLeastExponent = 0.5, kGreatestExponent = 2.0;
 /// Nearer variances tell nothing of the exponent.
 constexpr double kLeastSlopeFactor = 1.1;
-/// Growth, as a share of the budget, between two trials whose variances differ by at most this factor: a step, where many pixels have the
-/// same noise. All blocks do not cross it.
+/// A step, where many pixels have the same noise: least growth as a share of the budget, greatest factor between variances. All blocks do
+/// not cross it.
 constexpr double kStep = 0.25, kStepFactor = 1.1;
 
-/// Cost of a trial, whose blocks are few.
 const auto AtMost = [](const BudgetRound& trial) { return trial.AtMost(); };
 
 struct Range
@@ -60,7 +57,7 @@ double Excess(double samples, double least)
     return std::max(1e-3 * least, samples - least);
 }
 
-/// `share` of the budget, the least samples of each pixel apart.
+/// Share of the budget above the least samples.
 double ShareOf(double budget, double share, double least)
 {
     return least + share * (budget - least);
@@ -81,7 +78,7 @@ double ExponentOf(BudgetRounds rounds, double greatest, double least)
     return std::min(steepest, kGreatestExponent);
 }
 
-/// `variance` divided by at least kLeastFactor; else nothing.
+/// Nothing if nearer than kLeastFactor.
 std::optional<double> Lower(double variance, double factor)
 {
     const double next = std::max(variance / factor, kLeastVariance);

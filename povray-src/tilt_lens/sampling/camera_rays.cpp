@@ -74,7 +74,7 @@ void CameraRayBatch::DrawFour(const SampleRun& run, std::uint32_t first)
 {
     FourGlassPoints four;
     four.wanted = 0;
-    const std::uint32_t begin = run.first.index - run.Place();  // index of the group's first sample
+    const std::uint32_t begin = run.first.index - run.Place();
     for (std::uint32_t i = 0; i < 4; i++)
     {
         const std::uint32_t place = first + i;

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file camera_rays.h
-/// Camera rays from film points and lens points, which the sequence or emitter sampling gives. A group's rays are computed together in
-/// vector registers.
+/// Camera rays from film points and lens points, a group at a time in vector registers.
 
 #ifndef TILT_LENS_CAMERA_RAYS_H
 #define TILT_LENS_CAMERA_RAYS_H
@@ -15,7 +14,7 @@
 namespace tilt_lens
 {
 
-/// A group's rays, one array per number. Relative to the lens centre, world axes, scene units.
+/// A group's rays, relative to the lens centre; world axes, scene units.
 struct CameraRays
 {
     CameraSamples samples;
@@ -43,21 +42,20 @@ void FindRays(const Lens& lens, const SampleRun& run, CameraRays& rays);
 class CameraRayBatch
 {
   public:
-    /// @param aims  false: aimed at no emitter
+    /// @param aims  false: plain samples only
     explicit CameraRayBatch(const SampledCamera& camera, bool aims = true) : camera(camera), glass(camera.lens->Glass()), aims(aims) {}
 
     void Make(const SampleRun& run);
 
-    /// Makes the ray of a sample of the last run for one colour.
     /// @param place     of the sample in its group
     /// @param hue       see MakeColourRay()
     /// @param[out] ray  at position 0
     void MakeColour(std::uint32_t place, double hue, CameraRays& ray);
 
-    /// @name Of the last run.
+    /// @name Valid for the last run
     /// @{
     const PixelSampler& Sampler() const { return sampler; }
-    const CameraRays& Rays() const { return rays; }    ///< indexed by place in the group
+    const CameraRays& Rays() const { return rays; }    ///< by place in the group
     std::uint32_t Refused() const { return refused; }  ///< blocked by the glass lens, last run or colour
     /// @}
 

@@ -19,9 +19,9 @@ namespace tilt_lens
 namespace
 {
 
-/// Pixels with wide circles of confusion decide together with their neighbours, since all see the same: if each decided alone, a pixel
-/// that missed a lamp by chance would stop dark, and one that hit it would go on and dilute it. Sharp pixels decide alone.
-/// @param samples  taken by pixels that have been active; active pixels with fewer still have to catch up
+/// Pixels with wide circles of confusion decide with their neighbours: alone, one that missed a lamp by chance would stop dark, and one
+/// that hit it would dilute it.
+/// @param samples  taken by active pixels; those with fewer still catch up
 void DecideTogether(BlockEstimate& estimate, std::uint32_t samples)
 {
     std::vector<double> excesses;
@@ -34,14 +34,12 @@ void DecideTogether(BlockEstimate& estimate, std::uint32_t samples)
         if (pixel.active && pixel.statistics.Samples() < samples)
             continue;
         const bool searching = pixel.active && !HasSearchedEmitters(pixel.statistics, pixel.target);
-        // also of variances that are beyond a double
+        // also true if infinite or NaN
         pixel.active = searching || !(pixel.excess + estimate.SharedPart(i) * (around[i] - pixel.excess) <= 1.0);
     }
 }
 
-/// Raises variance and excess of converged pixels whose neighbours have hit more since: an edge that all missed at first is then
-/// followed from pixel to pixel.
-/// @param variances  by all samples so far
+/// Reconsiders converged pixels whose neighbours have hit more since: an edge is then followed from pixel to pixel.
 void RaiseWhereNeighboursFoundMore(BlockEstimate& estimate, const std::vector<double>& variances)
 {
     for (std::size_t i = 0; i < variances.size(); i++)
@@ -55,7 +53,7 @@ void RaiseWhereNeighboursFoundMore(BlockEstimate& estimate, const std::vector<do
     }
 }
 
-/// Pixels that have been active in the last round.
+/// Pixels active in the last round.
 std::vector<std::size_t> Candidates(const BlockEstimate& estimate, std::uint32_t samples)
 {
     std::vector<std::size_t> candidates;
@@ -84,8 +82,7 @@ bool HasSearchedEmitters(const PixelStatistics& own, double target)
     const double n = own.EmitterSamples();
     if (n == 0.0 || n >= settings.hiddenEmitterSamples)
         return true;
-    // mean of q^2 exp(-q n) over the share q of the pixel that a lamp covers, uniform in [0, 1]: square error of a missed lamp of
-    // radiance 1
+    // square error of a missed lamp of radiance 1: mean of q^2 exp(-q n) over the share q that it covers, uniform in [0, 1]
     const double missed = (2.0 - (2.0 + n * (2.0 + n)) * std::exp(-n)) / (n * n * n);
     return std::min(1.0, Square(own.ExpectedEmission())) * missed <= target;
 }

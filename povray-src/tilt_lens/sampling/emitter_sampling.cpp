@@ -36,7 +36,7 @@ void EmitterSampling::Draw(const Targets& targets, const SampleRun& run, const S
         samples.Put(run.Place() + i, Draw(targets, run[i], points[run.Place() + i]));
 }
 
-/// Film position, pixels, of the ray from a lens point through `through`; false if none lies in front of the camera.
+/// Film position, pixels, of the ray from a lens point through `through`; false if there is none.
 bool EmitterSampling::PixelPositionOf(const Vec3& through, const AperturePoint& point, double& x, double& y) const
 {
     const std::optional<Vec3> along = ChiefThrough(plain.lens, through, point.a * plain.lens.lensX + point.b * plain.lens.lensY);
@@ -49,7 +49,7 @@ bool EmitterSampling::PixelPositionOf(const Vec3& through, const AperturePoint& 
     return true;
 }
 
-/// Bounding box of a point's circle of confusion, from points on a circle around the aperture, enlarged because they are few.
+/// Bounding box of a point's circle of confusion, from few points on an enlarged circle around the aperture.
 EmitterSampling::Box EmitterSampling::BlurBoxOf(const Vec3& centre, bool& whole) const
 {
     const double radius = plain.aperture.BoundingRadius() / std::cos(pi / settings.blurBoxPoints);
@@ -67,7 +67,6 @@ EmitterSampling::Box EmitterSampling::BlurBoxOf(const Vec3& centre, bool& whole)
     return box;
 }
 
-/// Keeps an emitter that is worth its own samples.
 /// @param leastVariance  of one plain sample
 bool EmitterSampling::Keep(const Emitter& emitter, double leastVariance)
 {
@@ -128,7 +127,7 @@ bool EmitterSampling::Reaches(const Kept& emitter, std::uint32_t x, std::uint32_
         return false;
     if (!emitter.chooseLensPoint)
         return true;
-    // while the film point crosses the circle of confusion, the part of the lens moves across the whole lens
+    // while the film point crosses the circle of confusion, this part moves across the whole lens
     const FilmPoint film = FilmPointAt(x + 0.5, y + 0.5, plain.width, plain.height);
     const Disc part = PartOfLens(emitter, film.x, film.y);
     const double blur = std::min(box.right - box.left, box.bottom - box.top) - 2.0 * emitter.imageRadius;
@@ -171,7 +170,7 @@ CameraSample EmitterSampling::Draw(const Targets& targets, const SampleId& id, c
     return sample;
 }
 
-/// Chooses a technique by the interval of the first lens coordinate, and draws; false if there is no ray.
+/// False if there is no ray.
 bool EmitterSampling::Choose(const Targets& targets, const SampleId& id, const SequencePoint& point, CameraSample& sample) const
 {
     if (point.lensU >= targets.share)
@@ -219,7 +218,7 @@ EmitterSampling::Disc EmitterSampling::PartOfLens(const Kept& emitter, double x,
             emitter.radius * Length(chief) / std::fabs(along * divisor * lensRadius)};
 }
 
-/// Aims at an emitter; false if the sample misses lens or pixel.
+/// False if the sample misses lens or pixel.
 /// @param u  in [0, 1), replaces the first lens coordinate
 bool EmitterSampling::Aim(const Kept& emitter, double u, const SampleId& id, const SequencePoint& point, CameraSample& sample) const
 {

@@ -2,14 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file emitter_sampling.h
-/// Importance sampling of small bright objects that first samples would miss: docs/sampling.md, section 4, with the source. Pixels that
-/// one may reach aim half of their samples at it, weighted by the balance heuristic:
+/// Importance sampling of small bright objects that first samples would miss: docs/sampling.md, section 4.
 ///
-/// - through the part of the lens that sees it from the film point, if its blur is wide;
-/// - from the part of the pixel that sees it through the lens point, if its blur is narrow.
-///
-/// The first lens coordinate selects the technique by interval, and is rescaled within it, so it stays well distributed. Every aligned
-/// block of four samples has equally many emitter samples, so even light stays free of noise.
+/// Every aligned block of four samples has equally many emitter samples, so even light stays free of noise.
 
 #ifndef TILT_LENS_EMITTER_SAMPLING_H
 #define TILT_LENS_EMITTER_SAMPLING_H
@@ -36,7 +31,7 @@ class EmitterSampling
 {
   public:
     /// Keeps emitters too small on the film and too bright to be found by chance.
-    /// @param plain  draws unaimed samples; must outlive the result
+    /// @param plain  must outlive the result
     EmitterSampling(const LensSampler& plain, const SamplingLimits& limits, const std::vector<Emitter>& all);
 
     bool Empty() const { return kept.empty(); }
@@ -45,7 +40,7 @@ class EmitterSampling
     struct Targets
     {
         double share = 0.0;  ///< share of the pixel's samples
-        double emission = 0.0;  ///< mean radiance that all add to the pixel if nothing hides them
+        double emission = 0.0;  ///< mean radiance that all add to the pixel unless hidden
         struct Target
         {
             std::uint32_t emitter;
@@ -55,11 +50,8 @@ class EmitterSampling
     };
     Targets TargetsOf(std::uint32_t x, std::uint32_t y) const;
 
-    /// @param targets  of the sample's pixel
-    /// @param point    of the pixel's sequence
     CameraSample Draw(const Targets& targets, const SampleId& id, const SequencePoint& point) const;
 
-    /// @param points   of the group
     /// @param samples  filled at the run's positions in the group
     void Draw(const Targets& targets, const SampleRun& run, const SequencePoints& points, CameraSamples& samples) const;
 
@@ -73,7 +65,7 @@ class EmitterSampling
         Vec3 centre;
         double radius;  ///< scene units
         double imageRadius;  ///< of its sharp image, pixels
-        double emission;  ///< about the mean radiance that it adds within its circle of confusion
+        double emission;  ///< about its mean radiance within its circle of confusion
         bool chooseLensPoint;  ///< aims by the lens point; else by the film point
         Box covers;  ///< pixels that may see it
     };

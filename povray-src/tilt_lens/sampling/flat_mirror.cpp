@@ -32,13 +32,13 @@ class MirrorPlane
 
     Vec3 ImageOf(const Vec3& point) const { return point - (2.0 * DistanceOf(point) / area) * across; }
 
-    /// Fractions of the way from the eye to the image between which its rays cross the mirror, if the mirror shows the source.
+    /// Fractions of the way from eye to image between which rays cross the mirror.
     struct Crossing
     {
         double first, last;
     };
 
-    /// @param blur  radius of the lens and of the emitter: greatest distance of their rays from the way
+    /// @param blur  greatest distance of rays from the way: radius of lens and emitter
     std::optional<Crossing> Shows(const Vec3& eye, const Vec3& source, const Vec3& image, double blur) const
     {
         const double before = DistanceOf(eye), behind = DistanceOf(source);

@@ -16,14 +16,13 @@ namespace tilt_lens
 namespace
 {
 
-/// Index in a BlockPlane of a pixel of the block.
+/// Index in a BlockPlane.
 std::size_t PlaneIndex(const BlockEstimate& estimate, std::size_t pixel)
 {
     return pixel / estimate.area.width * settings.blockSide + pixel % estimate.area.width;
 }
 
-/// Residual variance ratios, by the block's samples and, after the first round, its neighbours'. Later the block alone counts: the
-/// greater noise of the neighbours' first rounds would be taken for its own error.
+/// Includes the neighbours after the first round only: later their greater noise would be taken for the block's error.
 BlockPlane ForecastRatios(BlockEstimate& estimate, const Neighbourhood& around, std::uint32_t samples, bool afterFirstRound)
 {
     UpdateBlockStatistics(estimate, samples);
@@ -34,7 +33,7 @@ BlockPlane ForecastRatios(BlockEstimate& estimate, const Neighbourhood& around, 
     return Reconstruct(PaddedBlock(known), estimate.spread.get()).residualVarianceRatio;
 }
 
-/// Variance of one sample, summed over the channels: mean of each pixel's 3 by 3 window within the block.
+/// Variance of one sample, summed over the channels: mean of the 3 by 3 window within the block.
 std::vector<double> VarianceAround(const BlockEstimate& estimate)
 {
     std::vector<double> variances;
@@ -76,8 +75,7 @@ void UpdateBlockStatistics(BlockEstimate& estimate, std::uint32_t samples)
 
 bool UpdateForecast(BlockEstimate& estimate, const std::vector<std::size_t>& candidates, const Neighbourhood& around, std::uint32_t samples)
 {
-    // The residual ratio rises as noise falls, so the last round's ratio is optimistic: skip the forecast if even this ratio would save
-    // too few rays.
+    // The last round's ratio is optimistic, since the ratio rises as noise falls: skip the forecast if even it saves too few rays.
     const auto saved = std::count_if(candidates.begin(), candidates.end(), [&estimate](std::size_t i)
     {
         const PixelEstimate& pixel = estimate.pixels[i];

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file forecast.h
-/// Statistics for the reconstruction of a block, and the forecast of the noise that it will remove: docs/sampling.md, section 6.
+/// Forecast of the noise that the reconstruction will remove: docs/sampling.md, section 6.
 
 #ifndef TILT_LENS_FORECAST_H
 #define TILT_LENS_FORECAST_H
@@ -15,16 +15,14 @@
 namespace tilt_lens
 {
 
-/// Statistics for the reconstruction, from the samples so far.
 std::shared_ptr<const BlockStatistics> StatisticsOf(const BlockEstimate& estimate);
 
-/// Stores these statistics in `estimate`.
-/// @param samples  of an active pixel; the statistics are computed once for each number
+/// @param samples  of an active pixel; statistics are computed once for each number
 void UpdateBlockStatistics(BlockEstimate& estimate, std::uint32_t samples);
 
-/// Predicts the residual variance ratios of the candidates, if that may save more time than it takes.
+/// Predicts the candidates' residual variance ratios, if that may save more time than it takes.
 /// @param candidates  indices of pixels with up-to-date `variance` and `target`
-/// @return whether the ratios are of this round
+/// @return  true if the ratios are of this round
 bool UpdateForecast(BlockEstimate& estimate, const std::vector<std::size_t>& candidates, const Neighbourhood& around,
                     std::uint32_t samples);
 

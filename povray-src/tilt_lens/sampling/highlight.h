@@ -19,13 +19,13 @@ struct GlossySphere
 {
     Vec3 centre;
     double radius;
-    double peak;  ///< radiance that the highlight adds at its brightest point
+    double peak;  ///< radiance added at its brightest point
     /// The highlight falls as cos^exponent of the angle between normal and bisector of the directions to lens and light.
     double exponent;
     double around;  ///< possible radiance around it
 };
 
-/// The part of the sphere that sends most of the highlight's light to a lens of this diameter; none if lens or light is within the sphere.
+/// Part of the sphere that sends most of the highlight to the lens; none if lens or light is within the sphere.
 std::optional<Emitter> HighlightOf(const GlossySphere& sphere, const Vec3& light, double lensDiameter);
 
 }  // namespace tilt_lens

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file lens_sampler.h
-/// Draws plain samples: a film point in the pixel's square, and a lens point. Emitter sampling (emitter_sampling.h) replaces some.
+/// Draws plain samples: a film point and a lens point. Emitter sampling (emitter_sampling.h) replaces some.
 
 #ifndef TILT_LENS_LENS_SAMPLER_H
 #define TILT_LENS_LENS_SAMPLER_H
@@ -41,7 +41,7 @@ struct CameraSamples
 class LensSampler
 {
   public:
-    /// @param width, height  of the whole picture, pixels
+    /// @param width, height  whole picture, pixels
     LensSampler(std::shared_ptr<const LensCamera> itsCamera, std::uint32_t width, std::uint32_t height) :
         camera(std::move(itsCamera)),
         lens(camera->Solved()),
@@ -58,7 +58,6 @@ class LensSampler
     const Vignetting& vignetting;
     const double width, height;
 
-    /// @param point  of the pixel's sequence
     CameraSample Draw(const SampleId& id, const SequencePoint& point) const
     {
         CameraSample sample = DrawFilmPoint(id, point);
@@ -66,7 +65,6 @@ class LensSampler
         return sample;
     }
 
-    /// @param points   of the group
     /// @param samples  filled at the run's positions in the group
     void Draw(const SampleRun& run, const SequencePoints& points, CameraSamples& samples) const;
 

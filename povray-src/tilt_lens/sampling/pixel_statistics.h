@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file pixel_statistics.h
-/// Statistics of one pixel's samples: docs/sampling.md, section 3. The samples are a prefix of one low-discrepancy sequence, summed in
-/// two buffers: all earlier rounds, and the last round (in the first round, its two halves).
+/// Statistics of one pixel's samples: docs/sampling.md, section 3. Two buffers sum the earlier rounds and the last one, at first its
+/// halves.
 ///
 /// Sources: dual buffers as in F. Rousselle, C. Knaus, M. Zwicker, "Adaptive rendering with non-local means filtering", ACM Trans. Graph.
 /// 31(6), 2012; the variance of stratified samples as in W. G. Cochran, "Sampling Techniques", 1977, chapter 5.
@@ -36,10 +36,9 @@ class PixelStatistics
     double ExpectedEmission() const { return expectedEmission; }
 
     Radiance Mean() const;
-    /// One sample's variance, stratified: a fixed share is aimed at emitters, so only deviations within the two groups count. 0 for
-    /// fewer than two samples.
+    /// One sample's variance; 0 for fewer than two. Only deviations within the two strata, plain and emitter samples, count.
     Radiance Variance() const;
-    /// Pure noise: difference of the buffers' means.
+    /// Pure noise.
     Radiance DualBufferDifference() const;
     std::uint32_t FirstBufferSamples() const { return firstBuffer; }
 

@@ -16,7 +16,7 @@ namespace tilt_lens
 namespace
 {
 
-/// Probability that one sample hits the light, if a single light against darkness explains mean and variance.
+/// Probability that one sample hits the light, if one light against darkness explains mean and variance.
 double HitProbability(double squaredMean, double variance)
 {
     return squaredMean > 0.0 ? squaredMean / (squaredMean + variance) : 0.0;
@@ -27,7 +27,7 @@ double SquaredSum(const Radiance& light)
     return std::inner_product(light.begin(), light.end(), light.begin(), 0.0);
 }
 
-/// Weights of the variance that the pixels around have more: less than 1 for pixels with more samples than the longest first round.
+/// Weights of the surrounding pixels' excess variance: less than 1 for more samples than the longest first round.
 std::vector<double> WeightsOf(const BlockEstimate& estimate, const std::vector<Radiance>& variancesAround)
 {
     std::vector<double> weights(estimate.pixels.size(), 1.0);

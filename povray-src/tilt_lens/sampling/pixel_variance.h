@@ -6,9 +6,8 @@
 ///
 ///     variance ratio * (variance of one sample) / n
 ///
-/// The variance of one sample comes from the pixel's own samples, those of its neighbours, and those that have circles of confusion
-/// around the pixel. The variance ratio says how much better n samples of a stratified sequence are than n independent ones. It is
-/// measured by the difference of the two sample buffers, a single number for each pixel, and therefore pooled over pixels.
+/// The variance ratio compares a stratified sequence with independent samples. The two sample buffers give one number per pixel, so it is
+/// pooled over pixels.
 
 #ifndef TILT_LENS_PIXEL_VARIANCE_H
 #define TILT_LENS_PIXEL_VARIANCE_H
@@ -21,58 +20,56 @@
 namespace tilt_lens
 {
 
-/// Variance of a pixel's sample by other pixels' samples. Each sample spreads its radiance and its square over its circle of confusion,
-/// so a pixel whose own samples missed a blurred lamp learns about it.
+/// Variance of one sample by other pixels' samples, spread over their circles of confusion: a pixel that missed a blurred lamp learns about
+/// it.
 class CircleVariance
 {
   public:
-    /// @param spread  samples spread by the block and its neighbours; null: none
-    /// @param at  index of the pixel in a plane of `spread`
+    /// @param spread   null: none
+    /// @param at       index of the pixel in a plane of `spread`
     /// @param samples  taken by the pixel itself
     CircleVariance(const PaddedSpread* spread, std::size_t at, double samples);
     CircleVariance(const BlockEstimate& estimate, std::size_t pixel);
 
-    /// Variance of one sample, per channel, for the stop rule: the received variance replaces the pixel's own in proportion to the
-    /// probability that the pixel missed something. Pixels in one circle thus decide alike, whether or not they hit the lamp.
-    /// @param own  variance of one sample by the pixel's own samples
+    /// Per channel, for the stop rule: received variance replaces the pixel's own in proportion to the probability that the pixel missed
+    /// something. Pixels of one circle thus decide alike.
+    /// @param own  by the pixel's own samples
     Radiance Blend(const Radiance& own) const;
 
     /// The same for the reconstruction, summed over the channels, and never below `own`.
     double AtLeast(double own) const { return own < total ? own + weight * (total - own) : own; }
 
   private:
-    double weight = 0.0;  ///< weight of the received variance against the pixel's own, [0, 1]
+    double weight = 0.0;  ///< weight of the received variance, [0, 1]
     double total = 0.0;  ///< variance of one received sample, summed over the channels
-    Radiance share{};  ///< share of each channel in `total`
+    Radiance share{};  ///< each channel's share in `total`
 };
 
-/// Variance of a pixel's mean, per channel, relative to its SquaredScale.
+/// Per channel, relative to SquaredScale.
 /// @param variance  of one sample, by the pixel's own samples or those around
 Radiance VarianceOfMean(const BlockEstimate& estimate, std::size_t pixel, const Radiance& variance);
 
-/// Variance of each pixel's mean, for the stop rule: the worst channel. A pixel's variance of one sample is at least the mean of its 3
-/// by 3 window, since from few samples its own is unreliable, and zero where a feature was missed.
+/// Worst channel's variance of each pixel's mean, for the stop rule. One sample's variance is at least the 3 by 3 window's mean, since few
+/// samples are unreliable.
 std::vector<double> VariancesToDecide(const BlockEstimate& estimate);
 
-/// After a round, updates the variance ratios of the block's active pixels, one per quadrant.
+/// Updates active pixels, with one ratio per quadrant.
 /// @param samples  of an active pixel
 void UpdateVarianceRatios(BlockEstimate& estimate, std::uint32_t samples);
 
-/// Variance ratio of each pixel for the reconstruction: of its quadrant; an outlier's own, where nearly all pixels fill the strata
-/// evenly and this one does not.
+/// Ratio of each pixel's quadrant, for the reconstruction; an outlier's own, where nearly all other pixels fill the strata evenly.
 std::vector<double> RatiosOrOutliers(const BlockEstimate& estimate);
 
-/// Variance ratio of the mean of both buffers, from the ratio measured between them. If the variance falls as n^-a, a >= 1, the buffers
-/// of a prefix of n = g n_A samples differ by (g^a - 1) / (g - 1) times the variance of their mean, and a ratio that began at 1 is
-/// n^(1 - a). Both equations have one solution, found by iteration.
-/// @param growth  g, all samples over those of the first buffer, above 1
+/// Variance ratio r of the mean, from the ratio r' measured between its buffers. If the variance falls as n^-a, r' = r (g^a - 1) / (g - 1)
+/// and r = n^(1 - a); iteration solves both.
+/// @param growth  g > 1, all samples over those of the first buffer
 double RatioOfMean(double dualBufferRatio, double samples, double growth);
 
 /// Sums over pixels and channels.
 struct VarianceRatioTerms
 {
-    double dualBuffer = 0.0;  ///< variance of the mean by the dual buffers
-    double independent = 0.0;  ///< variance of the mean if its samples were independent
+    double dualBuffer = 0.0;  ///< variance of the mean by dual buffers
+    double independent = 0.0;  ///< variance of the mean of independent samples
     double squaredIndependent = 0.0;  ///< squares of each pixel's `independent`
 
     void Add(const PixelStatistics& pixel);

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file progress_estimator.h
-/// Estimates the finished share of a picture's work. Thread-safe. Finished tiles do not predict the rest: sky often comes first. So one
-/// pixel per block of blockSide by blockSide is probed first with probeSamples samples (about 0.03 per pixel of the picture). Its
-/// expected samples times rays per sample are the block's fixed weight: the displayed share never falls, and ends at 1.
+/// Finished share of a picture's work. Thread-safe. One pixel per block is probed first (0.03 samples per pixel), since finished tiles do
+/// not predict the rest. The probe's cost is the block's fixed weight: the share never falls, and ends at 1.
 
 #ifndef TILT_LENS_PROGRESS_ESTIMATOR_H
 #define TILT_LENS_PROGRESS_ESTIMATOR_H
@@ -26,10 +25,9 @@ double ExpectedSamples(const SamplingLimits& limits, const std::vector<Radiance>
 class ProgressEstimator
 {
   public:
-    /// Before Plan() Share() is unknown.
     ProgressEstimator() = default;
 
-    /// Sets the rendered part. With `probing`, blocks have no weight until probed; else all weigh the same.
+    /// With `probing`, blocks have no weight until probed; else all weigh the same.
     void Plan(const Area& rendered, bool probing);
 
     struct Probe
@@ -38,10 +36,10 @@ class ProgressEstimator
         std::uint32_t x, y;  ///< pixel to probe, in the whole picture
     };
 
-    /// For any thread; none when all are assigned.
+    /// None when all are assigned.
     std::optional<Probe> NextProbe();
 
-    /// Sets a block's expected cost per pixel, in any common unit.
+    /// @param weight  expected cost per pixel, in any common unit
     void SetWeight(std::size_t block, double weight);
 
     void Finish(const Area& tile);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sample.h
-/// Interface between sampler and ray tracer: requests for samples of a pixel, and results.
+/// Interface between sampler and ray tracer.
 
 #ifndef TILT_LENS_SAMPLE_H
 #define TILT_LENS_SAMPLE_H
@@ -27,8 +27,7 @@ struct SampleId
 struct SampleResult
 {
     Radiance radiance;
-    double expectedEmission = 0.0;  ///< for an emitter sample: mean radiance that its emitters add to the pixel if nothing hides them
-                                    ///< (emitter_sampling.h); 0 for any other sample
+    double expectedEmission = 0.0;  ///< emitter samples: mean radiance that the pixel's emitters add if nothing hides them; else 0
     CircleOfConfusion circle;       ///< of the hit, in the whole picture
 
     /// Hit of a sharp surface.
@@ -40,8 +39,7 @@ struct SampleResult
     }
 };
 
-/// Consecutive samples of one pixel, all in one group of cameraRaysOfBatch samples. Groups begin at multiples of cameraRaysOfBatch; their
-/// points are computed together.
+/// Consecutive samples of one pixel in one group, computed together. Groups begin at multiples of cameraRaysOfBatch.
 struct SampleRun
 {
     SampleId first;
@@ -52,7 +50,7 @@ struct SampleRun
     std::uint32_t Place() const { return first.index % settings.cameraRaysOfBatch; }
 };
 
-/// A run's places in the group, extended to multiples of four for vector registers.
+/// A run's places, extended to multiples of four for vector registers.
 struct Quads
 {
     explicit Quads(const SampleRun& run) : begin(run.Place() & ~3u), end((run.Place() + run.count + 3) & ~3u) {}

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sample_record.h
-/// Samples that are kept after they were traced, so that a block can be sampled again without tracing them again.
+/// Keeps traced samples, so that a block can be sampled again without tracing.
 
 #ifndef TILT_LENS_SAMPLE_RECORD_H
 #define TILT_LENS_SAMPLE_RECORD_H
@@ -17,20 +17,18 @@
 namespace tilt_lens
 {
 
-/// The first samples of each pixel of an area.
 class SampleRecord
 {
   public:
     explicit SampleRecord(const Area& area) : area(area), pixels(area.Size()) {}
 
-    /// Copies samples of a pixel of the area if all of them are recorded.
+    /// False, with nothing copied, unless all samples are recorded.
     bool Get(const SampleRun& run, SampleResult* results) const;
-    /// As Get(); samples that are missing are traced and recorded. Each pixel's samples must be requested in order.
+    /// As Get(); missing samples are traced and recorded. Each pixel's samples must be requested in order.
     void GetOrTrace(const SampleRun& run, SampleResult* results, const Tracer& trace);
 
     std::uint64_t Samples() const { return samples; }
 
-    /// Memory of `samples` samples of a pixel.
     static std::size_t BytesOf(double samples);
 
   private:

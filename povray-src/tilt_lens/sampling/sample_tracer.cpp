@@ -56,8 +56,7 @@ void SampleTracer::TraceRays(const CameraRays& rays, std::uint32_t place, std::u
     }
 }
 
-/// Three rays, each with one wavelength of its third of the spectrum, for red, green and blue. All draw the same random numbers, so a
-/// uniform grey surface has no colour noise.
+/// One ray per third of the spectrum, for red, green and blue. All draw the same random numbers, so uniform grey has no colour noise.
 void SampleTracer::TraceColours(std::uint32_t place, std::uint32_t index, SampleResult& result)
 {
     const double within = batch.Sampler().PaddedPair(index, kHuePair).u;

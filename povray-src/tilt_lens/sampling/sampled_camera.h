@@ -31,14 +31,13 @@ class SampledCamera
     };
 
     /// @param limits  minimum 0: the usual one
-    /// @param seed    of the sampling pattern
     SampledCamera(std::shared_ptr<const LensCamera> lens, const SamplingLimits& limits, const Picture& picture, std::uint32_t seed);
 
     const std::shared_ptr<const LensCamera> lens;
 
     const SamplingLimits limits;
 
-    /// True if samples also serve other pixels of their circles of confusion.
+    /// True if samples also serve other pixels of their circles.
     const bool spreads;
 
     const LensFootprint footprint;

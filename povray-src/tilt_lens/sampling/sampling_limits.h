@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sampling_limits.h
-/// The scene's settings of the sampler.
+/// `blur_samples MIN, MAX`, `variance`, `confidence` and `denoise` of a camera, with their defaults.
 
 #ifndef TILT_LENS_SAMPLING_LIMITS_H
 #define TILT_LENS_SAMPLING_LIMITS_H
@@ -15,16 +15,15 @@
 namespace tilt_lens
 {
 
-/// `blur_samples MIN, MAX`, `variance`, `confidence` and `denoise` of a camera, with their defaults.
 struct SamplingLimits
 {
     std::uint32_t min = settings.firstSamplesAlone, max = 1024;  ///< samples per pixel, 1 <= min <= max
-    double variance = 1e-4;             ///< of a pixel's value; above brightness 1 relative to its square
+    double variance = 1e-4;             ///< of a pixel's value, relative to SquaredScale
     double confidence = 0.9;            ///< probability that the variance is lower, (0, 1)
     bool denoise = false;               ///< filter noise (reconstruction.h)
     double filtered = 1.0;              ///< noise is filtered as if `variance` were at most this
 
-    /// Samples of every pixel's first round: min, rounded up to a power of two, at most max.
+    /// Samples per pixel: min, rounded up to a power of two, at most max.
     std::uint32_t FirstRound() const
     {
         std::uint32_t power = 1;
@@ -33,16 +32,15 @@ struct SamplingLimits
         return std::min(power, max);
     }
 
-    /// Samples after the round that follows the one with `samples`: twice as many up to settings.doubledSamples, then alternately 3/2
-    /// and 4/3 times as many, so that every second round ends at a power of two.
+    /// Twice as many samples up to settings.doubledSamples, then alternately 3/2 and 4/3 times as many: every second round ends at a power
+    /// of two.
     std::uint32_t NextRound(std::uint32_t samples) const
     {
         const bool power = (samples & (samples - 1)) == 0;
         return std::min(max, samples < settings.doubledSamples ? 2 * samples : samples + samples / (power ? 2 : 3));
     }
 
-    /// Sets the minimum to its default.
-    /// @param aims  samples may be aimed at emitters (SampledCamera)
+    /// @param aims  true if samples may be aimed at emitters
     void SetUsualMinimum(bool aims) { min = std::min(max, aims && Denoises() ? settings.firstSamples : settings.firstSamplesAlone); }
 
     /// `variance 0` disables the reconstruction.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sampling_statistics.h
-/// Cost and quality of a set of pixels, for the report after a render.
+/// Cost and quality of pixels, for the report after a render.
 
 #ifndef TILT_LENS_SAMPLING_STATISTICS_H
 #define TILT_LENS_SAMPLING_STATISTICS_H
@@ -15,22 +15,20 @@ namespace tilt_lens
 
 struct SamplingStatistics
 {
-    std::map<std::uint32_t, std::uint64_t> pixelsBySamples;  ///< samples of a pixel -> number of pixels
+    std::map<std::uint32_t, std::uint64_t> pixelsBySamples;
     double variance = 0.0;                                   ///< sum of the pixels' largest channels
-    std::uint64_t notFinite = 0;                             ///< samples with an infinite or NaN channel
+    std::uint64_t notFinite = 0;
     std::uint64_t emitterSampled = 0;
     std::uint64_t reconstructed = 0;
     std::uint64_t lightPoints = 0;                           ///< sampled points of area lights
-    std::uint64_t lightPointsSkipped = 0;                    ///< skipped points of these
+    std::uint64_t lightPointsSkipped = 0;                    ///< of these
     std::uint64_t refusedRays = 0;                           ///< blocked by a glass lens, of all tried
 
     void Add(const SamplingStatistics& other);
     std::uint64_t Pixels() const;
     std::uint64_t Samples() const;
-    /// Pixels with at most `samples` samples.
     std::uint64_t PixelsUpTo(std::uint32_t samples) const;
     std::uint32_t Most() const;
-    /// Samples that a fraction `share` of the pixels did not exceed.
     std::uint32_t Quantile(double share) const;
     /// Root of the mean estimated variance.
     double StandardError() const;

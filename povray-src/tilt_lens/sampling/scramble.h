@@ -15,7 +15,7 @@
 namespace tilt_lens
 {
 
-/// The index's lowest bits: a group's points relative to its first, bits reversed.
+/// A group's points relative to its first, bits reversed.
 struct GroupTable
 {
     std::uint32_t value[4][settings.cameraRaysOfBatch];
@@ -29,7 +29,7 @@ TILT_LENS_INLINED constexpr std::uint32_t ReverseBits(std::uint32_t x)
     return ((x & 0x55555555u) << 1) | ((x >> 1) & 0x55555555u);
 }
 
-/// Owen's nested uniform scrambling of a bit-reversed fraction: seed and lower bits decide whether a bit is flipped (Vegdahl's hash).
+/// Owen's nested uniform scrambling of a bit-reversed fraction (Vegdahl's hash).
 TILT_LENS_INLINED std::uint32_t Scramble(std::uint32_t x, std::uint32_t seed)
 {
     x ^= x * 0x3d20adeau;
@@ -40,8 +40,7 @@ TILT_LENS_INLINED std::uint32_t Scramble(std::uint32_t x, std::uint32_t seed)
     return x;
 }
 
-/// Middle of a 32-bit fraction's cell in (0, 1). Read as a signed number, which processors convert faster; that flips the highest bit,
-/// which scrambling made random.
+/// Middle of a 32-bit fraction's cell in (0, 1). Signed numbers convert faster; this flips the highest bit, which is random.
 TILT_LENS_INLINED double ToUnit(std::uint32_t x)
 {
     return static_cast<std::int32_t>(x) * 0x1p-32 + (0.5 + 0x1p-33);

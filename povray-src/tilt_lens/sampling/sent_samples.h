@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sent_samples.h
-/// A block's samples for other pixels, kept until all of its pixels have converged: docs/sampling.md, section 5.
+/// A block's samples for other pixels, kept until the block has converged: docs/sampling.md, section 5.
 
 #ifndef TILT_LENS_SENT_SAMPLES_H
 #define TILT_LENS_SENT_SAMPLES_H
@@ -21,14 +21,14 @@ namespace tilt_lens
 class SentSamples
 {
   public:
-    /// @param width, height  of the whole picture, pixels
+    /// @param width, height  whole picture, pixels
     SentSamples(const Area& block, std::uint32_t width, std::uint32_t height) : block(block), width(width), height(height) {}
 
     /// Keeps a sample that is among its pixel's first settings.mostSentSamples and serves other pixels.
     void Add(const SampleId& id, const SampleResult& result);
 
     /// @param samples  of each pixel of the block, row by row
-    /// @param weight  sum of the weights of each pixel's samples
+    /// @param weight  sum of each pixel's sample weights
     /// @return null if no sample serves another pixel
     std::shared_ptr<const SpreadSums> Spread(const std::vector<std::uint32_t>& samples, std::uint32_t weight) const;
 

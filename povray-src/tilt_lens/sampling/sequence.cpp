@@ -38,8 +38,8 @@ constexpr Directions MakeDirections(int dimension)
     return d;
 }
 
-/// The pixel pair is the lens pair in this order: bit i of the index toggles the bits kOrder[i] of its point's index, the highest of
-/// which is bit i, so the first 2^m points stay the first 2^m.
+/// Order of the pixel pair: bit i of the index toggles the bits kOrder[i] of its point's index. The highest is bit i, so the first 2^m
+/// points stay the first.
 // clang-format off
 constexpr std::uint32_t kOrder[bits] = {
     0x1u, 0x3u, 0x6u, 0xdu, 0x11u, 0x22u, 0x44u, 0x89u,
@@ -58,8 +58,8 @@ constexpr Directions Ordered(const Directions& directions)
     return ordered;
 }
 
-/// Each hexadecimal digit's part of the Sobol point. Bits are reversed, lowest first, as the scrambling hash needs them. 2 KiB, since the
-/// renderer needs the cache for its scene; a table by bytes would take eight times as much.
+/// Each hexadecimal digit's part of the Sobol point, bits reversed for the scrambling hash. The scene needs the cache: 2 KiB, a table by
+/// bytes would take 16.
 struct DigitTable
 {
     Lanes entry[bits / 4][16];

@@ -29,7 +29,7 @@ class TileSampler
     Radiance Mean(std::uint32_t x, std::uint32_t y) const { return At(x, y).mean; }
     std::uint32_t Samples(std::uint32_t x, std::uint32_t y) const { return At(x, y).samples; }
     double Variance(std::uint32_t x, std::uint32_t y) const { return At(x, y).variance; }  ///< as in PixelResult
-    SamplingStatistics Statistics() const;                                                 ///< of the tile
+    SamplingStatistics Statistics() const;
     /// @}
 
   private:
