@@ -34,12 +34,12 @@ double Factor(const Lens& lens, const Vec3& chief, const Split& split)
     return 1.0 + squaredTangent * (lens.distortion2 + lens.distortionNear * nearness + squaredTangent * lens.distortion4);
 }
 
-/// The distortion polynomial along one direction from the axis: 1 + square r^2 + cube r^3 + fourth r^4.
+/// The distortion polynomial along one direction: 1 + square r^2 + cube r^3 + fourth r^4.
 struct Bend
 {
     double square, cube, fourth;
 
-    /// @param across  unit vector, perpendicular to the axis
+    /// @param across  unit vector across the axis
     Bend(const Lens& lens, const Vec3& across) :
         square(lens.distortion2 + lens.distortionNear * Dot(lens.focus, lens.normal)),
         cube(lens.distortionNear * Dot(lens.focus, across)),
@@ -59,7 +59,7 @@ FilmPoint OnFrame(const Lens& lens, const Vec3& chief)
     return {(Dot(offset, lens.axisRight) - y * Dot(lens.up, lens.axisRight)) / Dot(lens.right, lens.axisRight), y};
 }
 
-/// Solves Ideal(r) = wanted for r below the fold, by Newton's method with bisection for steps out of its bracket. Negative: no solution.
+/// Solves Ideal(r) = wanted below the fold, by Newton's method within a bracket. Negative: no solution.
 double PictureTangent(const Bend& bend, double wanted)
 {
     const double fold = std::sqrt(FoldOf(bend.square, bend.fourth, bend.cube));
