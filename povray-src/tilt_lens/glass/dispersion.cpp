@@ -14,7 +14,7 @@ namespace tilt_lens
 namespace
 {
 
-/// Wavelengths per third of the spectrum.
+/// Per third of the spectrum.
 constexpr int kWavelengths = 16;
 
 double NormalPartialDispersion(double abbe)

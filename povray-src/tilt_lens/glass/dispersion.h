@@ -5,8 +5,7 @@
 /// Dispersion of glass. Cauchy's equation, n = A + B/w^2 + C/w^4 for the wavelength w, is fitted to the index n at the d line (587.6 nm),
 /// the Abbe number V = (n - 1) / (nF - nC), and a normal glass's (ng - nF) / (nF - nC) = 0.6438 - 0.001682 V.
 ///
-/// Sources: Schott, technical information TIE-29, "Refractive index and dispersion" (normal glasses); M. Born, E. Wolf, Principles of
-/// Optics, section 2.3.4 (Cauchy's equation).
+/// Sources: Schott, TIE-29, "Refractive index and dispersion" (normal glasses); M. Born, E. Wolf, Principles of Optics, section 2.3.4.
 
 #ifndef TILT_LENS_DISPERSION_H
 #define TILT_LENS_DISPERSION_H
@@ -40,7 +39,7 @@ Prescription AtWavelength(const Prescription& prescription, double wavelength);
 /// @throws PrescriptionError  a glass without Abbe number
 void RequireAbbeNumbers(const Prescription& prescription);
 
-/// A lens of glass, stopped down, for each colour. Immutable, thread-safe.
+/// Immutable, thread-safe.
 class GlassOfColours
 {
   public:

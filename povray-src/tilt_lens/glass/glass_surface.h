@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file glass_surface.h
-/// One surface of glass: intersection and Snell's law. Spheres and planes are written once for one ray and for rays side by side (simd.h),
-/// with equal results. Frame and source: glass_lens.h.
+/// Intersection and refraction at one surface, with equal results for one ray and for rays side by side (simd.h). Frame and source:
+/// glass_lens.h.
 
 #ifndef TILT_LENS_GLASS_SURFACE_H
 #define TILT_LENS_GLASS_SURFACE_H
@@ -38,7 +38,7 @@ struct GlassSurface
     double squaredRim;
     bool stop, sphere;  ///< sphere or plane; else conic or aspherical
     double conic;
-    std::vector<double> aspheric;  ///< coefficients of the sag towards the scene
+    std::vector<double> aspheric;  ///< sag towards the scene
 };
 
 template<class Number>
@@ -70,8 +70,8 @@ TILT_LENS_INLINED MaskOf<Number> Refract(const GlassSurface& surface, const Numb
     return left >= 0.0;
 }
 
-/// Sphere or plane: for p relative to the vertex, c |p|^2 = 2 p.z, so c t^2 - 2 half t + constant = 0 along the ray. The root near the
-/// vertex counts; a sphere ends where it turns back.
+/// For p relative to the vertex, c |p|^2 = 2 p.z, so c t^2 - 2 half t + constant = 0 along the ray. The root near the vertex counts; a
+/// sphere ends where it turns back.
 /// @param ray  becomes the refracted ray, if any
 template<bool towardsScene, class Number>
 TILT_LENS_INLINED Crossing<Number> CrossSphere(const GlassSurface& surface, GlassRayOf<Number>& ray)
@@ -87,8 +87,7 @@ TILT_LENS_INLINED Crossing<Number> CrossSphere(const GlassSurface& surface, Glas
     return {met, withinRim, Refract<towardsScene>(surface, cosine, normal, ray.direction)};
 }
 
-/// Moves the ray to the stop's plane.
-/// @return  true within its opening
+/// Moves the ray to the stop's plane; true within the opening.
 template<class Number>
 TILT_LENS_INLINED MaskOf<Number> CrossStop(const GlassSurface& surface, GlassRayOf<Number>& ray)
 {

@@ -19,10 +19,10 @@ namespace
 
 using Kind = JsonValue::Kind;
 
-/// Nested lists and objects; a collection of lenses has five levels.
+/// A collection of lenses has five levels.
 constexpr std::size_t kDeepest = 64;
 
-/// Counts lines. The parser reports a number one character late, so the line is that of the last character read.
+/// The parser reports a number one character late, so the line is that of the last character read.
 struct LineCounter
 {
     using iterator_category = std::input_iterator_tag;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file paraxial.h
-/// Paraxial rays, for cardinal points.
+/// Paraxial rays.
 
 #ifndef TILT_LENS_PARAXIAL_H
 #define TILT_LENS_PARAXIAL_H
@@ -15,13 +15,13 @@
 namespace tilt_lens
 {
 
-/// A ray from scene to film: height, and slope times index (`reduced`).
+/// From scene to film: height, and slope times index.
 struct ParaxialRay
 {
     double height = 0.0, reduced = 0.0;
 };
 
-/// Ray transfer matrix, with determinant 1: height' = a height + b reduced, reduced' = c height + d reduced.
+/// Ray transfer matrix, with determinant 1.
 struct ParaxialMap
 {
     double a = 1.0, b = 0.0, c = 0.0, d = 1.0;

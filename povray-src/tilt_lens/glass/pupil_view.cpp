@@ -13,18 +13,18 @@ namespace tilt_lens
 namespace
 {
 
-/// Directions in which the pupil's border is searched; bisection finds it to 1/4000 of the pupil.
+/// Searched directions; bisection finds the pupil's border to 1/4000 of its size.
 constexpr int kSpokes = 32;
 constexpr int kHalvings = 11;
 
-/// Sides of ray grids if the pupil's centre is blocked: over twice the paraxial pupil, then over the last surface. Multiples of four.
+/// Used if the pupil's centre is blocked: over twice the paraxial pupil, then over the last surface. Multiples of four.
 constexpr int kPupilGrid = 24;
 constexpr int kSurfaceGrid = 64;
 
-/// If the longest spoke is more times the shortest, spokes are measured again from the area's centre.
+/// If the longest spoke exceeds this times the shortest, spokes are measured again from the area's centre.
 constexpr double kRound = 1.3;
 
-/// Enlarges the ellipse for borders between spokes and table entries; the second adds to it where rims cut the pupil.
+/// Enlargement for borders between spokes and table entries; the second adds to it where rims cut the pupil.
 constexpr double kMargin = 1.04;
 constexpr double kCoveredMargin = 0.08;
 
@@ -133,7 +133,7 @@ PupilPoint Along(int spoke)
     return {std::cos(angle), std::sin(angle)};
 }
 
-/// Four searches side by side. Each has a step that passes and one that does not.
+/// Each of four searches has a step that passes and one that does not.
 class FourSpokes
 {
   public:
@@ -175,7 +175,7 @@ class FourSpokes
 
     double Border(int i) const { return 0.5 * (passes[i] + ends[i]); }
 
-    /// One bit per spoke that ends at a rim, where the stop alone lets the blocked step pass.
+    /// One bit per spoke whose blocked step the stop alone lets pass.
     unsigned int EndAtRims() const { return Passing(ends, false); }
 
   private:
@@ -249,7 +249,7 @@ PupilPoint MiddleOf(const Spokes& spokes, const PupilPoint& inside)
     return {inside.l + l / area, inside.m + m / area};
 }
 
-/// Ellipse with the proportions of the bounding box of the spokes' ends.
+/// Has the proportions of the bounding box of the spokes' ends.
 /// @param larger  factor on the ellipse through the farthest end
 PupilEllipse EllipseAround(const Spokes& spokes, const PupilPoint& inside, const PupilPoint& radial, double larger)
 {

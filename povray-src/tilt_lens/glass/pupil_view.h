@@ -18,7 +18,7 @@
 namespace tilt_lens
 {
 
-/// Direction cosines: one direction or several side by side.
+/// Direction cosines.
 template<class Number>
 struct PupilPointOf
 {
@@ -67,7 +67,6 @@ TILT_LENS_INLINED Number SquaredAlong(const PupilPointOf<Number>& direction)
     return 1.0 - direction.l * direction.l - direction.m * direction.m;
 }
 
-/// None if the cosines are no direction's.
 inline std::optional<GlassRay> RayTowards(const Vec3& film, const PupilPoint& direction)
 {
     const double square = SquaredAlong(direction);
@@ -76,7 +75,8 @@ inline std::optional<GlassRay> RayTowards(const Vec3& film, const PupilPoint& di
     return GlassRay{film, {direction.l, direction.m, std::sqrt(square)}};
 }
 
-/// Measures by a few hundred rays from a film point (mm, lens frame).
+/// Takes a few hundred rays.
+/// @param film  mm, lens frame
 /// @param near  a passing direction of a neighbouring film point, tried first
 /// @return      none if no ray passes
 std::optional<PupilView> ViewOf(const GlassLens& lens, const Vec3& film, const std::optional<PupilPoint>& near);
