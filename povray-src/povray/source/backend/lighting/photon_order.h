@@ -12,7 +12,7 @@ namespace pov
 
 class PhotonMap;
 
-/// Sorts the photons of a map before it becomes a tree. Resets the C library's random numbers, from which its density is estimated.
+/// Call before a map becomes a tree. Resets the C library's random numbers, from which its density is estimated.
 void OrderPhotons(PhotonMap& map);
 
 } // namespace pov

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file special_items.cpp
-/// Items of `tilt_lens { ... }` whose values are not numbers with commas between them.
+/// Items of `tilt_lens { ... }` whose values are not numbers with commas.
 
 #include "backend/parser/item_reader.h"
 
@@ -45,7 +45,7 @@ void ReadBrace(Parser& parser, int brace, const char* sign)
            found.c_str());
 }
 
-/// Also `focus_on` or `focus_at` with its value, unless the scene has declared that name.
+/// Also `focus_on` or `focus_at`, unless the scene has declared that name.
 Vec3 ReadPoint(ItemReader& reader, std::vector<FocusTarget>& targets)
 {
     TiltLensCamera other;
@@ -60,7 +60,7 @@ Vec3 ReadPoint(ItemReader& reader, std::vector<FocusTarget>& targets)
     return isTarget ? Vec3() : reader.Vector();
 }
 
-/// File size limit, bytes; the largest collections of lenses have a tenth of it.
+/// Bytes; the largest collections of lenses have a tenth.
 const std::size_t kMostBytes = 4u << 20;
 
 /// `FILE#NAME` chooses a lens of a JSON collection.

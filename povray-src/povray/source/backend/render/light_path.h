@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file light_path.h
-/// Length of a camera ray's path through flat mirrors and panes, which preserve vergences: a mirrored lamp is blurred as at the path's
-/// end. The path ends at curved surfaces.
+/// Length of a camera ray's path through flat mirrors and panes, which preserve vergences: a mirrored lamp is blurred as at the path's end.
 
 #ifndef TILT_LENS_LIGHT_PATH_H
 #define TILT_LENS_LIGHT_PATH_H
@@ -25,7 +24,6 @@ class LightPath
         double light = 0.0, length = 0.0;
     };
 
-    /// @return  argument for End()
     Brightest Begin()
     {
         const Brightest outer = brightest;
@@ -33,7 +31,7 @@ class LightPath
         return outer;
     }
 
-    /// @param hit       object, or NULL
+    /// @param hit       may be NULL
     /// @param distance  scene units
     /// @param weight    as in TraceRay
     void End(Brightest outer, const ObjectBase* hit, double distance, const Colour& colour, double weight)
@@ -43,7 +41,7 @@ class LightPath
         brightest = light >= outer.light ? Brightest{light, length} : outer;
     }
 
-    /// Length of the last path, scene units; HUGE_VAL without a surface.
+    /// Scene units; HUGE_VAL without a surface.
     double Length() const { return length; }
 
   private:

@@ -37,7 +37,7 @@ const int kSteps = 50;
 
 const double kEndless = 0.25 * BOUND_HUGE;
 
-/// Relative distance of two points that count as equal.
+/// Relative distance of equal points.
 const double kSamePoint = 1e-9;
 
 std::string Text(const Vec3& v)
@@ -161,7 +161,7 @@ std::string Found(TiltLensCamera& block)
     return text;
 }
 
-/// @return  true if focus and angle of view agree
+/// True if focus and angle of view agree.
 bool FindInPicture(Finder& finder, Camera& camera)
 {
     TiltLensCamera& block = camera.TiltLens;

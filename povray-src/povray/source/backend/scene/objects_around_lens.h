@@ -18,7 +18,7 @@ class SceneData;
 struct ObjectAroundLens
 {
     ObjectPtr object;
-    bool holdsLens;  ///< contains the whole lens; else test each ray
+    bool holdsLens;  ///< wholly; else test each ray
 };
 
 /// Objects with interior that may contain a part of the lens, in the scene's order.
