@@ -188,7 +188,8 @@ show_progress()
     [ "$columns" -eq 0 ] || printf '\r\033[K' >&2
 }
 
-# is_built TARGET GROUP [FOLDER]: true if nothing is left to do. A dry run on build.ninja would end at the check whether CMake must run, which is therefore made here.
+# is_built TARGET GROUP [FOLDER]: true if nothing is left to do. A dry run on build.ninja would end at the check whether CMake must run,
+# which is therefore made here.
 is_built()
 {
     local target=$1 input

@@ -5,7 +5,7 @@
 /// Bounding volume hierarchy of axis-aligned boxes, built by the binned surface area heuristic (I. Wald, "On fast Construction of SAH-based
 /// Bounding Volume Hierarchies", 2007).
 ///
-/// The library speedups/ makes POV-Ray faster and changes no pixel; it knows no camera. speedups/povray/ holds files at upstream's paths.
+/// The library speedups/ makes POV-Ray faster and changes no pixel. speedups/povray/ holds files at upstream's paths.
 
 #ifndef SPEEDUPS_BOX_HIERARCHY_H
 #define SPEEDUPS_BOX_HIERARCHY_H
@@ -42,7 +42,6 @@ class BoxHierarchy
     };
 
     /// Calls test(item) for each item whose box the ray enters at or before `limit`, a node's nearer children first.
-    /// @tparam Vector            see BoxRay
     /// @param origin, direction  in the boxes' frame and unit; the direction may have any length but 0
     /// @param limit              ray parameter, in lengths of the direction; tests may lower it
     template<class Vector, class Test>

@@ -28,7 +28,7 @@ template<class Vector>
 class BoxRay
 {
   public:
-    /// @param origin, direction  in the boxes' frame and unit; the direction may have any length but 0
+    /// @param origin, direction  as for BoxHierarchy::Walk()
     TILT_LENS_INLINED BoxRay(const double* origin, const double* direction)
     {
         // the fourth lane is unused

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file lattice_noise.h
-/// POV-Ray's scalar noise (generators 1 and 2) and vector noise (K. Perlin, "An Image Synthesizer", 1985) for AVX2. POV-Ray's operations
-/// keep their order, so results are equal to the last bit.
+/// POV-Ray's noise (K. Perlin, "An Image Synthesizer", 1985) for AVX2. POV-Ray's operations keep their order, so results are equal to the
+/// last bit.
 
 #ifndef SPEEDUPS_LATTICE_NOISE_H
 #define SPEEDUPS_LATTICE_NOISE_H
@@ -32,7 +32,7 @@ class LatticeNoise
     /// @return      in [0, 1]
     double At(const double* point, bool wide) const;
 
-    /// May be the same array.
+    /// @param point, vector  may be the same array
     void VectorAt(const double* point, double* vector) const;
 
   private:

@@ -11,8 +11,8 @@
 namespace speedups
 {
 
-/// Sets value to the double nearest to the decimal number in [begin, end), before a zero byte, as sscanf in a tenth of the time. False,
-/// value unchanged, if there is no number.
+/// Sets value to the double nearest to the decimal number in [begin, end), before a zero byte: sscanf in a tenth of the time. False, value
+/// unchanged, if there is no number.
 inline bool ReadNumber(const char* begin, const char* end, double* value)
 {
     const std::from_chars_result read = std::from_chars(begin, end, *value);

@@ -128,9 +128,9 @@ struct Aperture::Grade
 {
     Aperture shape;
     double power;    ///< n of Aperture::Graded()
-    bool rim;        ///< else in the middle
+    bool rim;        ///< bright at the rim, else in the middle
 
-    /// Moves a point of the unit square towards the centre or away from it, so that equal areas get equal light.
+    /// Equal areas of the square get equal light.
     AperturePoint Map(double u, double v) const
     {
         const double x = 2 * u - 1, y = 2 * v - 1;

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file aperture.h
-/// Maps from the sampler's unit square to the lens opening. They keep areas in proportion to their light, so that stratified samples stay
-/// stratified.
+/// Maps from the sampler's unit square to the lens opening, with areas in proportion to their light.
 
 #ifndef TILT_LENS_APERTURE_H
 #define TILT_LENS_APERTURE_H
@@ -33,7 +32,7 @@ class Aperture
     /// Unit disc, by the map of P. Shirley and K. Chiu, "A Low Distortion Map Between Disk and Square", 1997.
     static Aperture Disc();
 
-    /// Regular polygon with corners on the unit circle; the first is turned from the a axis towards b. With a curvature c the edges are
+    /// Regular polygon with corners on the unit circle, the first at the angle from the a axis towards b. With a curvature c the edges are
     /// arcs of radius 1/c, approximated to 2e-5 by at least 512 chords.
     /// @throws std::invalid_argument  blades outside [3, maxBlades], an infinite angle, a curvature outside [0, 1]
     static Aperture Polygon(int blades, double angleRadians, double curvature = 0.0);
@@ -43,13 +42,12 @@ class Aperture
     static Aperture Squeezed(const Aperture& shape, double ratio);
 
     /// A disc or polygon brighter at its rim or in its middle, with the same light. At the relative radius r, with n = |amount| / (1 -
-    /// |amount|), the brightness is (n + 1) r^(2n) for a positive amount, (n + 1) (1 - r^2)^n for a negative one.
+    /// |amount|), the brightness is (n + 1) r^(2n), or (n + 1) (1 - r^2)^n for a negative amount.
     /// @throws std::invalid_argument  another shape; an amount outside (-1, 1)
     static Aperture Graded(const Aperture& shape, double amount);
 
-    /// Any brightness over the square around the lens, tabulated in 256 x 256 cells. a grows with u, b falls with v.
-    /// @param weight  relative brightness at a = 2u - 1, b = 1 - 2v for (u, v) in [0, 1]^2: v grows downward, as in POV-Ray's `bokeh`.
-    ///                Negative and non-finite weights count as 0.
+    /// Any brightness over the square around the lens, in 256 x 256 cells. a grows with u, b falls with v.
+    /// @param weight  relative brightness at a = 2u - 1, b = 1 - 2v, as in POV-Ray's `bokeh`; negative and non-finite weights count as 0
     /// @throws std::invalid_argument  no place has a positive weight
     static Aperture Picture(const std::function<double(double u, double v)>& weight);
 

@@ -34,7 +34,7 @@ class Tabulation
 
     const double* Column(int i) const { return &mean[i * cells]; }
 
-    /// Scales the greatest mean to 1, so that no sum overflows. False if no mean is positive.
+    /// Keeps sums from overflow; false if no mean is positive.
     bool Normalize()
     {
         const double greatest = *std::max_element(mean.begin(), mean.end());
@@ -71,7 +71,6 @@ class Tabulation
         return range;
     }
 
-    /// True if weights in and around the cell differ by more than 1/16 of the brightest.
     bool Varies(int i, int j) const
     {
         double low = HUGE_VAL, high = 0;

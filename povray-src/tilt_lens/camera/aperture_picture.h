@@ -48,7 +48,6 @@ class AperturePicture
     /// @throws std::invalid_argument  no place has a positive weight
     explicit AperturePicture(const std::function<double(double u, double v)>& weight);
 
-    /// @param u, v  in [0, 1)
     AperturePoint Map(double u, double v) const;
 
     double Density(const AperturePoint& point) const;

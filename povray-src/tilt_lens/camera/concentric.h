@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file concentric.h
-/// Concentric map from the unit square to the disc (aperture.h), of numbers or registers.
+/// Concentric map from the unit square to the disc, of numbers or registers.
 
 #ifndef TILT_LENS_CONCENTRIC_H
 #define TILT_LENS_CONCENTRIC_H

@@ -34,7 +34,7 @@ double Factor(const Lens& lens, const Vec3& chief, const Split& split)
     return 1.0 + squaredTangent * (lens.distortion2 + lens.distortionNear * nearness + squaredTangent * lens.distortion4);
 }
 
-/// The distortion polynomial along one direction: 1 + square r^2 + cube r^3 + fourth r^4.
+/// The distortion polynomial along one direction.
 struct Bend
 {
     double square, cube, fourth;
@@ -124,7 +124,7 @@ double FoldOf(double distortion2, double distortion4, double cube)
         const double least = LeastRoot(distortion2, cube, distortion4);
         return least * least;
     }
-    // least positive root t of 1 + 3 a t + 5 b t^2, the derivative of r (1 + a r^2 + b r^4)
+    // least positive root t of 1 + 3 a t + 5 b t^2
     const double a = 3.0 * distortion2, b = 5.0 * distortion4;
     const double root = a * a - 4.0 * b;
     if (root < 0.0)

@@ -4,13 +4,12 @@
 /// @file film_point.h
 /// Film points, and their images under distortion (docs/optics.md, "Away from the ideal lens").
 ///
-/// A picture point shows another point of an ideal lens's picture. With r the tangent of a chief ray's angle to the lens's axis,
+/// An ideal lens's picture has the same image at another point. With r the tangent of a chief ray's angle to the lens's axis,
 ///
 ///     r_ideal = r_picture (1 + K r_picture^2 + K2 r_picture^4)       (r in units of half the film's width, s at the film's distance)
 ///
-/// and K = K1 + NEAR f/D, D being the focus distance along the lens's axis. Focus, blur and rays are those of the ideal point.
-///
-/// Source: D. C. Brown, "Close-Range Camera Calibration", Photogrammetric Engineering 37(8), 1971.
+/// and K = K1 + NEAR f/D, D being the axial focus distance (D. C. Brown, "Close-Range Camera Calibration", Photogrammetric Engineering
+/// 37(8), 1971).
 
 #ifndef TILT_LENS_FILM_POINT_H
 #define TILT_LENS_FILM_POINT_H

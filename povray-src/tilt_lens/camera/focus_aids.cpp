@@ -161,7 +161,7 @@ Vec3 FocusPlanes::Chief(double x, double y) const
     return ChiefRay(lens, FilmPointAt(x, y, width, height));
 }
 
-/// True if the grid cells of the pixel's corners differ. Cells no larger than pixels have no grid.
+/// True if the grid cells of the pixel's corners differ.
 bool FocusPlanes::OnGridLine(double x, double y) const
 {
     double cell[3][2];

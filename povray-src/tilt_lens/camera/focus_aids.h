@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file focus_aids.h
-/// Drawings over a picture that is sharp throughout. Colours are sRGB, 0 to 1. Blur is that of optics.h: pixels, positive before the plane
-/// of sharp focus.
+/// Drawings over a sharp picture. Colours are sRGB, 0 to 1. Blur is that of optics.h: pixels, positive before the plane of sharp focus.
 
 #ifndef TILT_LENS_FOCUS_AIDS_H
 #define TILT_LENS_FOCUS_AIDS_H
@@ -66,7 +65,7 @@ struct Veil
     double opacity;
 };
 
-/// Plane of sharp focus, and the near and far limit for a blur of one pixel. A grid shows the plane's slope.
+/// Plane of sharp focus, and limits for a blur of one pixel. A grid shows the plane's slope.
 class FocusPlanes
 {
   public:

@@ -39,7 +39,7 @@ std::string NumberBelow(double value, double limit)
     return text == Number(limit) && value < limit ? "almost " + text : text;
 }
 
-/// In camera axes, with rounding errors set to 0.
+/// Rounding errors become 0.
 Vec3 InCamera(const Lens& lens, const Vec3& v)
 {
     const double rounding = kRounding * Length(v);

@@ -40,7 +40,7 @@ std::string Text(const Vec3& v)
     return "<" + Number(v.x) + ", " + Number(v.y) + ", " + Number(v.z) + ">";
 }
 
-/// Camera axes: x `right`, y the part of `up` across it, z the film's normal; origin in the lens centre.
+/// x `right`, y the part of `up` across it, z the film's normal; origin in the lens centre.
 struct Axes
 {
     RealVec right, up, axis;
@@ -209,7 +209,7 @@ Solution SolveFocusScale(const RealVec& t, const Real& scale, const std::optiona
 
 Solution SolvePlane(const RealVec& k, const std::optional<Real>& focalLength, const Real& angleFilmDistance)
 {
-    const Real across = sqrt(k.x * k.x + k.y * k.y);  // 1/J, the hinge line's inverse distance
+    const Real across = sqrt(k.x * k.x + k.y * k.y);  // hinge line's inverse distance
     const char* backward = ". Such a plane needs a lens turned backward; move or turn the plane away from the camera.";
     if (!focalLength)
     {
@@ -285,7 +285,6 @@ void SpanLens(Lens& lens, const Axes& axes, const RealVec& t, const Real& diamet
     lens.lensY = Rounded(radius * axes.ToWorld(b));
 }
 
-/// `direction` with its axial component scaled to the film's distance if a focal length is stated.
 RealVec FrameDirection(const Axes& axes, const CameraFrame& camera, const Statement& given, const Real& filmDistance, const Real& filmWidth)
 {
     if (!given.focalLength)

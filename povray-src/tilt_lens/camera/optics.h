@@ -4,7 +4,7 @@
 /// @file optics.h
 /// Solves a `tilt_lens` statement for the lens, the film and the plane of sharp focus.
 ///
-/// The folder camera/ holds the thin lens; it knows neither lenses of glass nor samples of pixels nor POV-Ray.
+/// The folder camera/ holds the thin lens; it knows neither lenses of glass nor samples nor POV-Ray.
 ///
 /// Model (docs/optics.md): a thin lens, tilted about its centre, the camera's location; a flat film parallel to `right` and `up`. With z
 /// the camera axis, the film at -s z, t the unit lens normal and f the focal length, the plane of sharp focus is k.X = 1 with
@@ -119,7 +119,7 @@ class OpticsError : public std::runtime_error
     using std::runtime_error::runtime_error;
 };
 
-/// Solves a statement without sharpWithin; Solve() (solve.h) solves every statement.
+/// Solves statements without sharpWithin; Solve() (solve.h) solves all.
 /// @throws OpticsError  a degenerate camera; a lens turned by 90 degrees or more, or backward; a plane of focus through or behind the lens
 ///                      centre, or beyond the reach of the focal length; a focus scale that no film position fits; non-finite numbers or
 ///                      non-positive lengths
@@ -145,10 +145,10 @@ double FocusAngleOf(const Lens& lens);
 /// Distance from the lens centre to the hinge line, f / sin(tilt) (Merklinger); infinite for a lens parallel to the film.
 double HingeDistanceOf(const Lens& lens);
 
-/// Distance along the axis to the plane of sharp focus; infinite or negative if the plane is not crossed in front.
+/// Distance along the axis to the plane of sharp focus; infinite or negative if not in front.
 double AxisFocusOf(const Lens& lens);
 
-/// Depth of field on the axis, for a blur of `pixels` in a frame `width` pixels wide. Both limits are infinite if nothing is sharp.
+/// Depth of field on the axis, for a blur of `pixels` in a frame `width` pixels wide; infinite if nothing is sharp.
 struct SharpRange
 {
     double near = 0.0, far = 0.0;  ///< scene units from the lens centre
@@ -158,14 +158,14 @@ SharpRange SharpRangeOf(const Lens& lens, double width, double pixels);
 
 /// @name Blur in the picture.
 ///
-/// Blur is the longest diameter of the circle of confusion, pixels; a polygon or bokeh picture counts as the disc around it. It is positive
-/// before the plane of sharp focus (nearer to the camera), negative behind it, 0 for a pinhole.
+/// Blur is the longest diameter of the circle of confusion, pixels (of the disc around a polygon or bokeh picture): positive before the
+/// plane of sharp focus (nearer to the camera), negative behind it.
 /// @{
 
 /// Blur per difference of vergences (ray.h), for a frame `width` pixels wide.
 double BlurPerVergence(const Lens& lens, double width);
 
-/// @param chief  direction + x right + y up, not normalised
+/// @param chief  direction + x right + y up
 /// @param T      the surface point is T * chief; may be infinite
 double BlurDiameter(const Lens& lens, const Vec3& chief, double T, double width);
 

@@ -150,7 +150,7 @@ struct Solved
 
 Solved StrictSolution(const Rows& rows, const Real& same);
 
-/// Gives a circuit's rows its deviation, and solves the others, which have the returned circuit, by the free part of k.
+/// Gives a circuit's rows its deviation; the free part of k solves the others, whose circuit is returned.
 Solved SolveBeside(const Rows& rows, const Circuit& circuit, const Real& same)
 {
     Span span;
@@ -171,7 +171,7 @@ Solved SolveBeside(const Rows& rows, const Circuit& circuit, const Real& same)
     return solved;
 }
 
-/// Exchanges circuits until none has a greater deviation, which must end.
+/// Exchanges circuits until none has a greater deviation.
 /// @param rows  none empty
 Solved SolveRows(const Rows& rows, const Real& same)
 {

@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sharp_plane.h
-/// The plane k.X = 1 with the least greatest blur over any number of points (docs/optics.md, "The best plane for many points").
+/// The plane k.X = 1 with the least greatest blur over any number of points (docs/optics.md, "The best plane for many points"): the strict
+/// Chebyshev solution of the equations k.D = 1/z (J. R. Rice, "Tchebycheff Approximation in a Compact Metric Space", 1962).
 ///
-/// A point P = z D, where D has a unit component along the camera's axis, has a blur proportional to |1/z - k.D|. The plane is therefore
-/// the Chebyshev solution of the equations k.D = 1/z. A *circuit* is a set of equations with linearly dependent D, any fewer of which are
-/// independent. If sum(w D) = 0 over it, its greatest residual is at least |sum(w / z)| / sum|w|; the greatest such bound is the solution's
-/// (E. Stiefel, "Über diskrete und lineare Tschebyscheff-Approximationen", Numerische Mathematik 1, 1959).
-///
-/// Where a circuit of fewer than four points leaves a choice of planes, the other points are minimised in turn: the strict Chebyshev
-/// solution (J. R. Rice, "Tchebycheff Approximation in a Compact Metric Space", 1962). It does not depend on the points' order.
+/// A *circuit* is a set of equations with linearly dependent D, any fewer of which are independent. If sum(w D) = 0 over it, its greatest
+/// residual is at least |sum(w / z)| / sum|w|; the greatest such bound is the solution's (E. Stiefel, "Über diskrete und lineare
+/// Tschebyscheff-Approximationen", Numerische Mathematik 1, 1959).
 
 #ifndef TILT_LENS_SHARP_PLANE_H
 #define TILT_LENS_SHARP_PLANE_H
@@ -28,7 +25,7 @@ struct VergenceEquation
     Real vergence;  ///< 1/z
 };
 
-/// Directions are dependent if at most this share of one's length remains beside the others; it exceeds the rounding of typed coordinates.
+/// Directions are dependent if at most this share of one's length remains beside the others; rounding of typed coordinates is less.
 inline constexpr double kDependent = 1e-12;
 
 /// @param points    camera axes, relative to the lens centre

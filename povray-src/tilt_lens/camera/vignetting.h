@@ -4,13 +4,13 @@
 /// @file vignetting.h
 /// Light fall-off towards the picture's edges. The centre keeps its brightness.
 ///
-/// Natural vignetting: for a chief ray C on the film's side, z the film's normal and t the lens's, irradiance falls with
+/// Natural vignetting: for a chief ray C, z the film's normal and t the lens's, irradiance falls with
 ///
 ///     (z.C) (t.C) / |C|^4,
 ///
 /// which is cos^4 if both are parallel.
 ///
-/// Optical vignetting: a rim at the distance h before the lens hides a part of the aperture. A ray meets the rim's plane at m l + e, with
+/// Optical vignetting: a rim at the distance h before the lens, whose plane a ray meets at m l + e, hides a part of the aperture. With
 ///
 ///     e = (h / t.D) D across t,   m = 1 - (h / t.D) w         (D, w, l as in ray.h),
 ///

@@ -13,7 +13,7 @@ namespace tilt_lens
 namespace
 {
 
-/// Between direction cosines: the square is negligible beside 1, yet it is far above rounding.
+/// Difference of direction cosines: its square is negligible beside 1, yet it is far above rounding.
 constexpr double kStep = 1e-5;
 
 struct Aimed

@@ -4,7 +4,7 @@
 /// @file glass_lens.h
 /// A lens of glass. The folder glass/ knows neither camera nor film.
 ///
-/// Frame: mm, z along the lens's axis towards the scene, origin in the front principal point H. The rear one, H', lies at z = -separation.
+/// Frame: mm, z along the lens's axis towards the scene, origin in the front principal point H; the rear one, H', lies at z = -separation.
 ///
 /// Source: W. J. Smith, Modern Optical Engineering, chapters 2 and 10.
 
@@ -87,7 +87,6 @@ class GlassLens
     /// Takes the indices of a prescription with the same surfaces.
     void TakeIndices(const Prescription& prescription);
 
-    /// Traces from film to scene.
     /// @param[in,out] ray  starts behind the lens with direction.z > 0; ends as the ray that leaves the first surface, if it passes
     /// @param[out] stop    set if the ray reaches the stop
     /// @param rims         false: only the stop blocks rays

@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file inner_focus.h
-/// Lenses that focus by moving groups of glass (docs/lenses.md). A prescription may state distances between surfaces for infinity and
-/// nearer focuses, states 0, 1, 2, ...; they are linear in between.
-///
-/// The film stands at the traced image of infinity of state 0, plus the last row's difference of thickness. It moves only for focuses
-/// nearer than the last state or beyond infinity, as a tilted plane may need.
+/// Lenses that focus by moving groups of glass (docs/lenses.md, "Focus"). Distances between surfaces are stated for infinity and nearer
+/// focuses, states 0, 1, 2, ..., and linear in between. Beyond these focuses the film moves.
 
 #ifndef TILT_LENS_INNER_FOCUS_H
 #define TILT_LENS_INNER_FOCUS_H
@@ -27,8 +24,7 @@ double FilmPlaceOf(const Prescription& prescription, double state);
 double ObjectDistanceOf(const Prescription& prescription, double state);
 
 /// The state that focuses without moving the film, or the nearest.
-/// @param filmVergence  inverse distance from H', 1/mm, at which an ideal lens of this focal length, mm, needs the film; negative infinity:
-///                      none
+/// @param filmVergence  inverse distance from H', 1/mm, at which an ideal lens of this focal length, mm, needs the film
 double StateFor(const Prescription& prescription, const std::function<double(double focalLength)>& filmVergence);
 
 /// @throws PrescriptionError  stated object distances differ from traced ones

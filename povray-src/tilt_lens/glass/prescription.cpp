@@ -23,7 +23,6 @@ constexpr double kMostIndex = 4.0;
 /// Glasses have 15 to 95.
 constexpr double kLeastAbbe = 10.0, kMostAbbe = 150.0;
 
-/// A conic may end before its rim: rays beyond miss it.
 void RequireSensible(const ReadRow& read, bool last)
 {
     const PrescriptionRow& row = read.row;

@@ -17,7 +17,7 @@ namespace
 constexpr int kSpokes = 32;
 constexpr int kHalvings = 11;
 
-/// Used if the pupil's centre is blocked: over twice the paraxial pupil, then over the last surface. Multiples of four.
+/// Sides of ray grids if the pupil's centre is blocked: over twice the paraxial pupil, then over the last surface. Multiples of four.
 constexpr int kPupilGrid = 24;
 constexpr int kSurfaceGrid = 64;
 
@@ -133,7 +133,7 @@ PupilPoint Along(int spoke)
     return {std::cos(angle), std::sin(angle)};
 }
 
-/// Each of four searches has a step that passes and one that does not.
+/// Four searches side by side.
 class FourSpokes
 {
   public:
@@ -149,7 +149,6 @@ class FourSpokes
         ends[i] = itsEnds;
     }
 
-    /// Lengthens steps until they do not pass, then bisects.
     void FindBorders(bool rims)
     {
         for (unsigned int open = 0xf; open != 0;)
@@ -249,7 +248,6 @@ PupilPoint MiddleOf(const Spokes& spokes, const PupilPoint& inside)
     return {inside.l + l / area, inside.m + m / area};
 }
 
-/// Has the proportions of the bounding box of the spokes' ends.
 /// @param larger  factor on the ellipse through the farthest end
 PupilEllipse EllipseAround(const Spokes& spokes, const PupilPoint& inside, const PupilPoint& radial, double larger)
 {

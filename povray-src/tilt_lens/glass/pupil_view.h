@@ -60,7 +60,7 @@ TILT_LENS_INLINED PupilPointOf<Number> ParaxialAim(const CardinalPoints& points,
     return {way.x / length, way.y / length};
 }
 
-/// Squared cosine to the lens's axis; not positive if there is no such direction.
+/// Squared cosine to the lens's axis; not positive: no direction.
 template<class Number>
 TILT_LENS_INLINED Number SquaredAlong(const PupilPointOf<Number>& direction)
 {
@@ -75,7 +75,6 @@ inline std::optional<GlassRay> RayTowards(const Vec3& film, const PupilPoint& di
     return GlassRay{film, {direction.l, direction.m, std::sqrt(square)}};
 }
 
-/// Takes a few hundred rays.
 /// @param film  mm, lens frame
 /// @param near  a passing direction of a neighbouring film point, tried first
 /// @return      none if no ray passes

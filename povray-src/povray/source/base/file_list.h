@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file
-/// The files that a render depends on, to detect outdated pictures and state files. They are appended, once per run, to the file named by
-/// the environment variable `TILT_LENS_FILE_LIST`: `+` (read), `-` (missing; its presence could change the picture) or `=` (a complete
-/// picture or layers' file), the name as used (relative to the current folder), and a zero byte.
+/// The files that a render depends on, for the environment variable `TILT_LENS_FILE_LIST` (docs/batch.md) and for state files.
 
 #ifndef POVRAY_TILT_LENS_FILE_LIST_H
 #define POVRAY_TILT_LENS_FILE_LIST_H

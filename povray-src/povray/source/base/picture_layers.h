@@ -3,8 +3,7 @@
 
 /// @file picture_layers.h
 /// Messages to the front end for `Output_Layers`, of the class kPOVMsgClass_ViewImage:
-/// - kPOVMsgIdent_Layers, one per tile: rectangle, layer names, and values, layer by layer. Sent before the tile's colours, and kept in the
-/// state file.
+/// - kPOVMsgIdent_Layers, one per tile, before its colours: rectangle, layer names, and values, layer by layer;
 /// - kPOVMsgIdent_LayerAttributes, one per render.
 
 #ifndef POVRAY_BASE_PICTURE_LAYERS_H

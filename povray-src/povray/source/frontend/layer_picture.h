@@ -25,14 +25,14 @@ struct ViewData;
 class LayerPicture
 {
   public:
-    /// NULL if not wanted. Removes an older file, unless a render is continued.
+    /// NULL if not wanted. Removes an older file unless the render is continued.
     /// @throws pov_base::Exception  I/O restrictions forbid the file
     static shared_ptr<LayerPicture> Create(POVMS_Object& options);
 
-    /// Sentences about the layer options, or empty.
+    /// Sentences, or empty.
     static std::string Problem(POVMS_Object& options);
 
-    /// Warning about 32-bit colours in a file type that cannot hold them, or empty.
+    /// Warns of 32-bit colours in a file type that cannot hold them; else empty.
     static std::string Remark(POVMS_Object& options);
 
     /// Also keeps a tile's layers in the state file.

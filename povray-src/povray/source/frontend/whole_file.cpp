@@ -35,7 +35,7 @@ std::string Resolved(const std::string& name)
     return resolved;
 }
 
-/// True for no device, not write-protected, folder writable.
+/// True if `name` is no device and not write-protected, and its folder is writable.
 bool MayBeReplaced(const std::string& name)
 {
     struct stat found;

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file
-/// The installation's folders, found from the program's place, so that it may be moved. Replaces upstream's literals POVLIBDIR and
-/// POVCONFDIR.
+/// The installation's folders, found from the program's place. Replaces upstream's literals POVLIBDIR and POVCONFDIR.
 
 #ifndef POVRAY_TILT_LENS_INSTALL_FOLDERS_H
 #define POVRAY_TILT_LENS_INSTALL_FOLDERS_H

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file area_light_sampler.h
-/// One random point of an area light for each camera ray, with the mean of the whole grid (R. L. Cook, T. Porter, L. Carpenter,
-/// "Distributed Ray Tracing", 1984).
+/// One random point of an area light per camera ray, with the mean of the whole grid (R. L. Cook, T. Porter, L. Carpenter, "Distributed Ray
+/// Tracing", 1984).
 
 #ifndef POVRAY_BACKEND_AREA_LIGHT_SAMPLER_H
 #define POVRAY_BACKEND_AREA_LIGHT_SAMPLER_H
@@ -29,7 +29,6 @@ class AreaLightSampler
     }
 
     /// @param radiosityDepth  recursion depth; radiosity's samples need the whole grid
-    /// @param[out] u, v       column, row
     /// @return                false: walk the whole grid
     bool ChoosePoint(const LightSource& light, unsigned int radiosityDepth, int& u, int& v);
 

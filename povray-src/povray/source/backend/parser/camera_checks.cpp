@@ -24,7 +24,7 @@ using tilt_lens::Vec3;
 namespace
 {
 
-/// Cosine of the angle between a camera's and a leaned scene's sky that counts as none.
+/// Cosine of the largest angle between skies that count as one.
 const double kSameSky = 0.7;
 
 void RequireOneMeaning(const Camera& camera)
@@ -129,7 +129,6 @@ void RequireSharpPoints(const Camera& camera)
                word, limit, s.fStop ? "f_stop" : "aperture", s.fStop ? *s.fStop : camera.Aperture, word, s.fStop ? "f_stop" : "aperture");
 }
 
-/// A budget needs pixels that may take more rays than others.
 void RequireFreeSamples(const Camera& camera)
 {
     const double budget = camera.TiltLens.statement.budget;

@@ -16,13 +16,11 @@ namespace pov
 
 void RequireConsistent(const Camera& camera);
 
-/// Cameras without `tilt_lens` get a warning.
 void RequireQuality(const CameraDraft& draft, double budget);
 
-/// Tilt and swing turn the plane of sharp focus about this point.
 void RequireFocalPoint(const TiltLensCamera& lens);
 
-/// @param across  lower left to lower right corner; the macro Tilt_Lens_Facade cannot see the camera's handedness
+/// @param across  lower left to lower right corner
 void RequireFacade(const tilt_lens::Vec3& across, const tilt_lens::Vec3& right);
 
 std::string FocalPointWarning(const Camera& camera);

@@ -32,7 +32,6 @@ class ItemReader
 
     void Read(TiltLensCamera& lens);
 
-    /// @param name  in messages
     double Number(const std::string& name, const NumberRange& range);
     tilt_lens::Vec3 Vector();
     /// A number or a vector; returns its length.

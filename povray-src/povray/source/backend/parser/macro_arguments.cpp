@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file macro_arguments.cpp
-/// Checks the arguments of tilt_lens.inc's macros. The scene language cannot ask for a value's type, so a macro would fail half-way.
+/// Checks arguments of tilt_lens.inc's macros, since the scene language cannot ask for a value's type.
 
 #include "backend/parser/parse_tilt_lens.h"
 
@@ -72,7 +72,7 @@ const char* KindOf(int token)
     }
 }
 
-/// As elsewhere in the language, a number may stand for a point.
+/// A number may stand for a point.
 bool IsAllowed(const char* found, const char* wanted)
 {
     return found == wanted || (wanted == kVector && found == kNumber.kind) || (wanted == kPair && found == kVector);

@@ -90,7 +90,7 @@ std::optional<TiltLensPlace> TiltLensParser::Call() const
     {
         const Parser::CS_ENTRY& entry = parser.Cond_Stack[i];
         if (entry.Macro_Return_Name == NULL)
-            continue; // not known yet
+            continue; // no macro, or not known yet
         if (!IsMacroOfInclude(entry.PMac->Macro_Name))
             break;
         place = TiltLensPlace{UCS2String(entry.Macro_Return_Name), entry.File_Pos.lineno, 0, entry.File_Pos.offset};
@@ -172,7 +172,7 @@ void TiltLensParser::ParseBlock(Camera& camera)
         for (SYM_ENTRY* macro : macros)
             macro->Token_Number = token;
     };
-    mark(IDENTIFIER_TOKEN); // hidden by the items
+    mark(IDENTIFIER_TOKEN); // so that they look undeclared
     BOOST_SCOPE_EXIT_ALL(&)
     {
         mark(MACRO_ID_TOKEN);

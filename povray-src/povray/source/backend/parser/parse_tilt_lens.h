@@ -21,7 +21,7 @@ namespace pov
 class Parser;
 struct Sym_Table_Entry;
 
-/// Data of a camera statement that POV-Ray's Camera does not keep.
+/// Data that POV-Ray's Camera does not keep.
 struct CameraDraft
 {
     bool hasBlock = false;
@@ -62,13 +62,13 @@ class TiltLensParser
     void RefuseStrangeItem(const Camera& camera);
     /// @}
 
-    /// Sends the kept warnings if the camera has no `tilt_lens`. Call before POV-Ray fills in unwritten items.
+    /// Call before POV-Ray fills in unwritten items.
     void TakeCameraItems(Camera& camera);
 
-    /// For a parsed and transformed camera: solves its lens, and records it (camera_record.h).
+    /// Solves the lens, and records the camera.
     void Check(Camera& camera);
 
-    /// @name Messages that name the call of a macro of tilt_lens.inc.
+    /// @name Messages that name the macro's call.
     /// @{
     void ErrorAtCall(const char* text);
     /// False: not inside a macro.

@@ -49,7 +49,6 @@ struct TiltLensItem
 /// Ordered as in messages.
 extern const std::vector<TiltLensItem> kTiltLensItems;
 
-/// NULL: none.
 const TiltLensItem* FindTiltLensItem(const std::string& word);
 
 /// By Levenshtein distance, ignoring case.

@@ -20,7 +20,7 @@ class TracePixel;
 /// False: there is none.
 bool MakeChiefRay(TracePixel& trace, Ray& ray, DBL x, DBL y, DBL width, DBL height);
 
-/// Distance along a unit ray to the first visible surface, or HUGE_VAL.
+/// Distance along a unit ray, or HUGE_VAL.
 DBL FirstHit(Trace& trace, const Camera& camera, const Ray& ray);
 
 /// @param x, y  film point

@@ -31,7 +31,7 @@ void RunPilot(TiltLensTracer& tracer, RadiosityFunction& radiosity, bool apart, 
     const auto trace = [&](const tilt_lens::SampleRun& run, tilt_lens::SampleResult* results) { tracer.samples.Trace(run, results); };
     while (const auto task = tracer.view->pilot->NextTask())
     {
-        // light found here must not affect pixels that may not depend on others
+        // reproducible pixels must not depend on light found here
         radiosity.BeforeTile(apart ? -1 - int(task->block) : 0);
         tracer.view->pilot->Take(*task, trace);
         radiosity.AfterTile();
@@ -59,7 +59,7 @@ void EstimateWork(TiltLensTracer& tracer)
     }
 }
 
-/// @param alone   do not share samples with other tiles, since pixels depend on the order of tracing
+/// @param alone           shares no samples with other tiles
 /// @param pixels, effort  row by row
 void TraceTile(TiltLensTracer& tracer, const ViewData& view, const POVRect& rect, bool alone, std::vector<Colour>& pixels,
                std::vector<TiltLensEffort>& effort)

@@ -42,7 +42,7 @@ class TiltLensTracer : private SampleSeedSource, private tilt_lens::RayTracer
 
     void TracePreview(DBL x, DBL y, DBL width, DBL height, Colour& colour);
 
-    /// Follows one ray, with whole grids of area lights; returns the distance to its hit.
+    /// With whole grids of area lights; returns the distance to the hit.
     DBL TraceAlone(const Ray& ray, unsigned int x, unsigned int y, Colour& colour);
 
     const Camera& GetCamera() const;
@@ -51,7 +51,7 @@ class TiltLensTracer : private SampleSeedSource, private tilt_lens::RayTracer
   private:
     TracePixel& trace;
     tilt_lens::SampleTracer plainSamples;
-    const bool interiorsVary;  ///< rays start in different objects' interiors
+    const bool interiorsVary;  ///< by origin
 
     const tilt_lens::PixelSampler* pixel = NULL;
     unsigned int index = 0;

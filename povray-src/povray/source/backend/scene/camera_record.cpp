@@ -132,7 +132,6 @@ std::string Words(const std::set<std::string>& words)
     return "[" + text + "]";
 }
 
-/// A point or plane replaces the film's position, the f-number found replaces sharpWithin.
 Statement WithFocus(const Camera& camera)
 {
     Statement s = camera.TiltLens.statement;

@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file camera_record.h
-/// Exports cameras for previews, such as ./focus. If the environment variable `TILT_LENS_PREVIEW` names a file,
+/// Exports cameras for previews, such as ./focus. If the environment variable `TILT_LENS_PREVIEW` names a file, it gets all cameras as JSON
+/// before the first pixel, and the picture is a pinhole's, without focus aids.
 ///
-/// - it gets all cameras as JSON before the first pixel;
-/// - the picture is a pinhole's, without focus aids.
-///
-/// JSON: array `cameras`, in the order of parsing, and `view`, the picture's camera. Each has:
+/// JSON: array `cameras`, in the order of parsing, and `view`, the picture's camera, each with:
 ///
 ///     `file`, `line`, `offset`  end of the statement: name, line from 1, byte behind the closing brace;
 ///     `perspective`             true if a lens is possible;

@@ -95,7 +95,7 @@ Vec3 Finder::OnObject(const FocusTarget& target)
     const Vec3 across = Cross(Normalized(way), aside);
     for (int i = 0; i <= kRaysAround; i++)
     {
-        // a spiral with one ray per equal part of the disc around the box (H. Vogel, 1979)
+        // a spiral with one ray per equal part of the disc (H. Vogel, 1979)
         const double radius = Length(half) * std::sqrt(double(i) / kRaysAround), turn = i * M_PI * (3.0 - std::sqrt(5.0));
         const auto hit = Hit(target.object.get(), way + radius * std::cos(turn) * aside + radius * std::sin(turn) * across);
         if (hit)

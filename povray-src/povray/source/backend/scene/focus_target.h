@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file focus_target.h
-/// Autofocus: finds the points of `focus_on` and `focus_at` by rays.
+/// Autofocus by rays.
 
 #ifndef POVRAY_BACKEND_FOCUS_TARGET_H
 #define POVRAY_BACKEND_FOCUS_TARGET_H
@@ -18,7 +18,7 @@ namespace pov
 
 class SceneData;
 
-/// Completes the camera's statement, and solves its lens; returns warnings.
+/// Completes the camera's statement and solves its lens; returns warnings.
 ///
 /// - Object: first hit towards its bounding box's centre, even behind other objects; else the next of 1024 rays around it, by growing
 /// angle.

@@ -23,7 +23,7 @@ struct LayerAttribute
     std::vector<double> values;  ///< 1, 2, 3 or 16 numbers (matrix row by row, for row vectors)
 };
 
-/// True for perspective and orthographic cameras, whose depth is measured along the axis; else it is the ray's length.
+/// False: depth is the ray's length.
 bool HasDepthAxis(const Camera& camera);
 
 /// Film's unit normal, into the scene.

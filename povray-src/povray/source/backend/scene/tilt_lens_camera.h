@@ -46,7 +46,6 @@ struct CameraItems
     bool focalPoint = false;  ///< `focal_point` or `look_at`
 };
 
-/// A point in focus, found by a ray after parsing.
 struct FocusTarget
 {
     enum Kind
@@ -83,7 +82,7 @@ struct TiltLensCamera
 
     tilt_lens::Vec3& TargetPoint(std::size_t i);
 
-    /// The item that sets the aperture by the blur of sharp_points, or NULL.
+    /// Item that limits the blur of sharp_points, or NULL.
     const char* BlurLimitWord() const;
 
     /// NULL before the focus is found, and after a transformation.

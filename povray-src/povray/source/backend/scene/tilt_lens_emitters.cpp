@@ -44,7 +44,7 @@ double LightOf(const TEXTURE* texture, const RGBColour& ambientLight)
 }
 
 /// Bounding sphere, relative to the camera's location.
-/// @param light, around  radiance of the object, and around it
+/// @param around  radiance around the object
 tilt_lens::Emitter EmitterOf(ObjectPtr object, const Camera& camera, double light, double around)
 {
     const Vec3 location = FromPov(camera.Location);
@@ -62,7 +62,7 @@ bool IsInfinite(ObjectPtr object)
     return object->BBox.Lengths[X] > CRITICAL_LENGTH;
 }
 
-/// Without light sources; white if there is a sky or fog.
+/// Greatest radiance without light sources; white if there is a sky or fog.
 double RadianceOfBackground(const SceneData& scene)
 {
     double brightest = BrightestOf(RGBColour(scene.backgroundColour));
@@ -73,8 +73,8 @@ double RadianceOfBackground(const SceneData& scene)
     return sky ? std::max(brightest, tilt_lens::settings.greatestLitRadiance) : brightest;
 }
 
-/// Radiance above which an object outshines lit surfaces, or the background where nothing is lit; at most white. With radiosity all objects
-/// light the scene, and it is white.
+/// An object outshines lit surfaces above this radiance, or the background where nothing is lit. With radiosity all objects light the
+/// scene, so it is white.
 double LeastRadiance(const SceneData& scene)
 {
     double lights = 0.0;

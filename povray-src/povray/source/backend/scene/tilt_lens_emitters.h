@@ -19,8 +19,7 @@ class Camera;
 class SceneData;
 
 /// Finite objects that outshine their surroundings by their own finish, and their images in flat mirrors, relative to the camera's
-/// location. Parts of unions count separately; textures by their brightest layer or entry. Errors of brightness only change the number of
-/// samples.
+/// location. Errors of brightness only change the number of samples.
 std::vector<tilt_lens::Emitter> EmittersOf(const SceneData& scene, const Camera& camera);
 
 }  // namespace pov

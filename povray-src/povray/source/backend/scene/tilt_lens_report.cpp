@@ -119,7 +119,7 @@ std::string CharacterOf(const TiltLensCamera& block)
     return text;
 }
 
-/// Along the axis, from the front principal point.
+/// Positions along the axis, from the front principal point.
 std::string GlassOf(const tilt_lens::SolvedLens& lens, double filmWidth)
 {
     const tilt_lens::CardinalPoints& points = lens.glass->Cardinal();
@@ -178,7 +178,7 @@ std::string FocusOf(const TiltLensCamera& block)
     return text;
 }
 
-/// Pixels.
+/// Rounding, pixels.
 const double kSharp = 1e-6;
 
 std::string WithoutTilt(const Camera& camera, const tilt_lens::Lens& lens, double greatest, const std::function<std::string(double)>& blur)
@@ -256,7 +256,6 @@ std::string PlaneOf(const Camera& camera, const tilt_lens::Lens& lens)
            Line("    turned by..........%.4g degrees against the film\n", Tidy(FocusAngleOf(lens)));
 }
 
-/// Budget, samples taken of it, and speed.
 std::string BudgetOf(const TiltLensView& view, const tilt_lens::SamplingStatistics& statistics, double seconds)
 {
     if (!view.pilot)

@@ -164,7 +164,7 @@ tilt_lens::SamplingStatistics TiltLensView::Statistics() const
 
 void TiltLensView::AddProgress(POVMS_Object& message) const
 {
-    // unknown in mosaic previews and radiosity's first pass; the addition makes a rounded sum of 1 read 100
+    // the addition makes a rounded sum of 1 read 100
     const std::optional<double> share = progress.Share();
     if (share && *share > 0.0)
     {

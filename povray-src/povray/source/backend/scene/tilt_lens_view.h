@@ -41,17 +41,17 @@ inline tilt_lens::Area AreaOf(const POVRect& rect)
 class TiltLensView
 {
   public:
-    /// POV-Ray has 0 to 2.
+    /// POV-Ray uses 0 to 2.
     static const unsigned int kTracingMethod = 3;
 
-    /// Makes shift and angle of view a part of the camera's `direction`.
+    /// Shift and angle of view enter the camera's `direction`.
     /// @param camera  with a solved lens
     /// @return        NULL for an ideal pinhole, which POV-Ray's own camera renders
     /// @throws std::invalid_argument  a bokeh picture without light
     static shared_ptr<TiltLensView> Create(Camera& camera, ViewData& view);
 
     /// Called by the parser, which knows file and line.
-    /// @throws tilt_lens::OpticsError  optical_vignetting leaves at most 1 per cent of the light in the picture's middle
+    /// @throws tilt_lens::OpticsError  optical_vignetting leaves at most 1 per cent of the light in the middle
     static void RequireLight(const Camera& camera, shared_ptr<SceneData> scene);
 
     /// @throws tilt_lens::OpticsError  `budget` does not suffice for the first round of samples

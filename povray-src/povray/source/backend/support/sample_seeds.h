@@ -36,8 +36,7 @@ class SampleSeeds
     /// @param itsSource  must outlive the last draw
     void Follow(const SampleSeedSource& itsSource) { source = &itsSource; }
 
-    /// Call before each draw.
-    /// @param state  set to the seed at the sample's first draw
+    /// Call before each draw; sets the state at the sample's first.
     template<class State>
     void Take(State& state)
     {

@@ -22,7 +22,7 @@ namespace pov_base
 namespace OpenEXR
 {
 
-/// Fills one vector per channel, as long as the picture is wide, with a row counted from the top.
+/// Fills vectors, as long as the picture is wide, with a row counted from the top.
 typedef std::function<void(unsigned int row, std::vector<std::vector<float>>& channels)> FloatRows;
 
 /// 1, 2, 3 or 16 numbers (matrix row by row).

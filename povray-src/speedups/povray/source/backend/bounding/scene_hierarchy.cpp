@@ -67,7 +67,7 @@ struct TwoConditions
 };
 
 /// Find_Intersection() for an object whose box the ray met.
-/// @param precedes  true if an intersection at the best's depth replaces it
+/// @param precedes  replaces the best at equal depth
 /// @param hits      an empty stack; empty again afterwards
 template<class Conditions>
 TILT_LENS_INLINED bool FindNearer(ObjectPtr object, bool precedes, const Ray& ray, Intersection& best, const Conditions& conditions,
