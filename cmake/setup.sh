@@ -4,10 +4,9 @@
 # Set-up step of ./render, ./batch, ./focus and ./check, to be sourced: installs missing packages, configures, builds.
 #
 #   setup render|batch|focus|check [FOLDER]  leaves the program (check: and the tests) in $repository/build; FOLDER
-#                                            holds POV-Ray's source, otherwise taken from the mirrors of apt's settings
+#                                            holds POV-Ray's source; without it, apt's mirrors do
 #
-# Messages go to standard error, so that a picture may go to standard output. With nothing to do it needs no network, waits for no other
-# such command, and stays well under a second.
+# Messages go to standard error. With nothing to do it needs no network, waits for no other such command, and stays well under a second.
 
 repository=$(dirname -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")")
 build=$repository/build
@@ -33,7 +32,7 @@ packages_of()
         "$repository/cmake/debian-packages"
 }
 
-# missing_packages GROUP: lines of packages_of with nothing installed. Libraries for another processor do not count.
+# missing_packages GROUP: lines of packages_of with nothing installed for this processor.
 missing_packages()
 {
     local -a wanted names
@@ -138,7 +137,6 @@ forget_moved_build()
     find "$build" -mindepth 1 -maxdepth 1 ! -name downloads ! -name setup.lock -exec rm -rf {} +
 }
 
-# in_cache ENTRY: true if CMake's cache holds this line.
 in_cache() { grep -qxF -- "$1" "$build/CMakeCache.txt" 2>/dev/null; }
 
 # new_options GROUP [FOLDER]: CMake options that the configuration lacks, one a line.
@@ -188,8 +186,7 @@ show_progress()
     [ "$columns" -eq 0 ] || printf '\r\033[K' >&2
 }
 
-# is_built TARGET GROUP [FOLDER]: true if nothing is left to do. A dry run on build.ninja would end at the check whether CMake must run,
-# which is therefore made here.
+# is_built TARGET GROUP [FOLDER]: a dry run on build.ninja would end at the check whether CMake must run, which is therefore made here.
 is_built()
 {
     local target=$1 input

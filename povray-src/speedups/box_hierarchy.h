@@ -4,8 +4,6 @@
 /// @file box_hierarchy.h
 /// Bounding volume hierarchy of axis-aligned boxes, built by the binned surface area heuristic (I. Wald, "On fast Construction of SAH-based
 /// Bounding Volume Hierarchies", 2007).
-///
-/// The library speedups/ makes POV-Ray faster and changes no pixel. speedups/povray/ holds files at upstream's paths.
 
 #ifndef SPEEDUPS_BOX_HIERARCHY_H
 #define SPEEDUPS_BOX_HIERARCHY_H

@@ -42,7 +42,7 @@ class BoxRay
         Float4 leaveFroms = __builtin_convertvector(from - signedMargin, Float4);
         Float4 enterInverses = __builtin_convertvector(inverse * (1.0 - kRounding), Float4);
         Float4 leaveInverses = __builtin_convertvector(inverse * (1.0 + kRounding), Float4);
-        // broadcasting a number from memory takes one instruction, from a lane two
+        // broadcasting from memory takes one instruction, from a lane two
         asm volatile("" : "+m"(enterFroms), "+m"(leaveFroms), "+m"(enterInverses), "+m"(leaveInverses));
         for (int axis = 0; axis < 3; axis++)
         {
@@ -57,7 +57,7 @@ class BoxRay
     }
 
     /// @param limit  ray parameter, in lengths of the direction
-    /// @param begin  output, aligned to 32 bytes: ray parameters of the eight entries, 0 if the ray starts inside
+    /// @param begin  aligned to 32 bytes: ray parameters of the eight entries, 0 if the ray starts inside
     /// @return       one bit per box met
     TILT_LENS_INLINED unsigned int Enter(const EightBoxes& boxes, float limit, float* begin) const
     {

@@ -79,7 +79,7 @@ struct Aperture::Outline
         const double first = std::atan2(corner[0].b, corner[0].a);
         double turns = (std::atan2(point.b, point.a) - first) / (2 * pi);
         turns -= std::floor(turns);
-        // each blade spans an equal angle, unlike the chords of one blade
+        // blades span equal angles, unlike the chords of one blade
         const int blade = std::min(static_cast<int>(turns * blades), blades - 1);
         int edge = blade * (edges / blades);
         for (int span = edges / blades; span > 1;)

@@ -41,8 +41,8 @@ class Aperture
     /// @throws std::invalid_argument  a ratio not finite and positive
     static Aperture Squeezed(const Aperture& shape, double ratio);
 
-    /// A disc or polygon brighter at its rim or in its middle, with the same light. At the relative radius r, with n = |amount| / (1 -
-    /// |amount|), the brightness is (n + 1) r^(2n), or (n + 1) (1 - r^2)^n for a negative amount.
+    /// A disc or polygon brighter at its rim or in its middle, with the same light. Let n = |amount| / (1 - |amount|). At the relative
+    /// radius r the brightness is (n + 1) r^(2n), or (n + 1) (1 - r^2)^n for a negative amount.
     /// @throws std::invalid_argument  another shape; an amount outside (-1, 1)
     static Aperture Graded(const Aperture& shape, double amount);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file character.h
-/// A real lens's aberrations, as stated in a `tilt_lens` block; off by default.
+/// A real lens's aberrations, as stated in a `tilt_lens` block.
 
 #ifndef TILT_LENS_CHARACTER_H
 #define TILT_LENS_CHARACTER_H

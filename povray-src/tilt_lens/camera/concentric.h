@@ -12,7 +12,7 @@
 namespace tilt_lens
 {
 
-/// Sine and cosine for |x| <= pi/4: Taylor series with an error below 3e-14, faster than the C library's and equal on every machine.
+/// Taylor series for |x| <= pi/4 with an error below 3e-14, faster than the C library's and equal on every machine.
 /// @{
 template<class Number>
 TILT_LENS_INLINED Number SmallSin(const Number& x)
@@ -32,7 +32,7 @@ TILT_LENS_INLINED Number SmallCos(const Number& x)
 }
 /// @}
 
-/// Concentric squares of [-1, 1]^2 become concentric circles. The square's diagonals divide it into quarters.
+/// Concentric squares become concentric circles. The square's diagonals divide it into quarters.
 template<class Number>
 struct Concentric
 {

@@ -94,7 +94,7 @@ double Bisect(const Function& function, double low, double high)
     return low;
 }
 
-/// Least positive root of 1 + 3 a r^2 + 4 c r^3 + 5 b r^4, which is monotone between its turning points.
+/// Least positive root of 1 + 3 a r^2 + 4 c r^3 + 5 b r^4, monotone between its turning points.
 double LeastRoot(double a, double c, double b)
 {
     const auto slope = [=](double r) { return 1.0 + r * r * (3.0 * a + r * (4.0 * c + 5.0 * b * r)); };
@@ -174,7 +174,7 @@ double PictureStretch(const Lens& lens, const FilmPoint& picture)
     const auto moved = [&](const Vec3& by) { return IdealChiefRay(lens, IdealFilmPoint(lens, OnFrame(lens, at + by))); };
     const Vec3 right = step * lens.axisRight, up = step * lens.axisUp;
     const Vec3 byX = (moved(right) - moved(-right)) / (2.0 * step), byY = (moved(up) - moved(-up)) / (2.0 * step);
-    // inverse of the least singular value of the derivative, from the eigenvalues of its square
+    // inverse of the derivative's least singular value, from the eigenvalues of its square
     const double xx = Dot(byX, byX), yy = Dot(byY, byY), xy = Dot(byX, byY);
     const double least = 0.5 * (xx + yy) - std::hypot(0.5 * (xx - yy), xy);
     return 1.0 / std::sqrt(least);

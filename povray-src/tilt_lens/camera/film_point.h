@@ -4,12 +4,12 @@
 /// @file film_point.h
 /// Film points, and their images under distortion (docs/optics.md, "Away from the ideal lens").
 ///
-/// An ideal lens's picture has the same image at another point. With r the tangent of a chief ray's angle to the lens's axis,
+/// A picture point shows another point of an ideal lens's picture. With r the tangent of a chief ray's angle to the lens's axis,
 ///
 ///     r_ideal = r_picture (1 + K r_picture^2 + K2 r_picture^4)       (r in units of half the film's width, s at the film's distance)
 ///
 /// and K = K1 + NEAR f/D, D being the axial focus distance (D. C. Brown, "Close-Range Camera Calibration", Photogrammetric Engineering
-/// 37(8), 1971).
+/// 37(8), 1971). Focus, blur and rays are those of the ideal point.
 
 #ifndef TILT_LENS_FILM_POINT_H
 #define TILT_LENS_FILM_POINT_H
@@ -21,7 +21,7 @@
 namespace tilt_lens
 {
 
-/// 0 is the centre, +-0.5 are the frame's edges, upright.
+/// Upright: 0 is the centre, +-0.5 are the frame's edges.
 struct FilmPoint
 {
     double x, y;
@@ -67,7 +67,7 @@ std::optional<FilmPoint> IdealFilmPointOf(const Lens& lens, const Vec3& along);
 /// @param magnified  relative size of this colour's image
 FilmPoint IdealFilmPoint(const Lens& lens, const FilmPoint& picture, double magnified = 1.0);
 
-/// The inverse, without lateral colour. None beyond the fold of a distortion with negative K1 or K2.
+/// The inverse, without lateral colour. None beyond the fold.
 std::optional<FilmPoint> PictureFilmPoint(const Lens& lens, const FilmPoint& ideal);
 
 /// Largest magnification by distortion, over all directions.

@@ -144,7 +144,7 @@ std::optional<Rgb> FocusMapScale::At(int x, int y) const
 
 FocusPlanes::FocusPlanes(const Lens& itsLens, int itsWidth, int itsHeight) : lens(itsLens), width(itsWidth), height(itsHeight)
 {
-    // grid lines follow the camera's right as far as the plane allows
+    // grid lines follow the camera's right where the plane allows
     const Vec3 normal = Length(lens.focus) > 0.0 ? Normalized(lens.focus) : lens.axis;
     const Vec3 across = lens.axisRight - Dot(lens.axisRight, normal) * normal;
     gridX = Normalized(Length(across) > 0.1 ? across : lens.axisUp - Dot(lens.axisUp, normal) * normal);

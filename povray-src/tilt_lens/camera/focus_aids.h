@@ -34,13 +34,12 @@ constexpr double kPeakingTint = 0.5;
 /// Pixels.
 constexpr double kMapLimit = 64.0;
 
-/// Position on focus_map's scale: sign(b) log(1 + |b|), from -1 (behind, kMapLimit or more) to 1 (before).
+/// sign(b) log(1 + |b|), from -1 (behind, kMapLimit or more) to 1 (before).
 double FocusMapPosition(double blur);
 
 /// Blue behind, white in focus, orange before; darker with blur.
 Rgb FocusMapColour(double blur);
 
-/// The scale at the bottom of focus_map's picture.
 class FocusMapScale
 {
   public:
@@ -58,21 +57,20 @@ class FocusMapScale
     void Write(int centre, int y, const char* text);
 };
 
-/// A translucent surface.
 struct Veil
 {
     Rgb colour;
     double opacity;
 };
 
-/// Plane of sharp focus, and limits for a blur of one pixel. A grid shows the plane's slope.
+/// Plane of sharp focus, and limits for a blur of one pixel, with a grid.
 class FocusPlanes
 {
   public:
     /// @param lens  must outlive this
     FocusPlanes(const Lens& lens, int width, int height);
 
-    /// Surfaces between the lens and the point T of a pixel's chief ray, nearest first.
+    /// Surfaces before the point T of a pixel's chief ray, nearest first.
     std::vector<Veil> Before(int x, int y, double T) const;
 
     /// Scene units.
@@ -81,7 +79,7 @@ class FocusPlanes
   private:
     const Lens& lens;
     const double width, height;
-    Vec3 gridX, gridY;               ///< unit vectors in the plane of sharp focus
+    Vec3 gridX, gridY;               ///< unit, in the plane of sharp focus
     double spacing = 0.0;
 
     Vec3 Chief(double x, double y) const;

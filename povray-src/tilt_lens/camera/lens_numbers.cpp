@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file lens_numbers.cpp
-/// Photographers' numbers of a solved lens, blur, and warnings.
+/// Numbers for photographers, blur, and warnings.
 
 #include <cmath>
 #include <limits>

@@ -96,7 +96,7 @@ RealVec FocusOfPoints(const Axes& axes, const CameraFrame& camera, const Stateme
     const RealVec a = Exact(given.points[0]);
     const RealVec ab = Exact(given.points[1]) - a, ac = Exact(given.points[2]) - a;
     const RealVec normal = Cross(Normalized(ab), Normalized(ac));
-    // sine of the angle at A, with a tolerance for points typed with few digits
+    // sine of the angle at A; the tolerance allows for typed digits
     if (!(Length(normal) > 1e-12))
         throw OpticsError("The three focal_points lie on one line: " + Text(given.points[0]) + ", " + Text(given.points[1]) + ", " +
                           Text(given.points[2]) + ". They must span a plane; move one of them off the line.");

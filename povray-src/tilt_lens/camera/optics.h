@@ -4,8 +4,6 @@
 /// @file optics.h
 /// Solves a `tilt_lens` statement for the lens, the film and the plane of sharp focus.
 ///
-/// The folder camera/ holds the thin lens; it knows neither lenses of glass nor samples nor POV-Ray.
-///
 /// Model (docs/optics.md): a thin lens, tilted about its centre, the camera's location; a flat film parallel to `right` and `up`. With z
 /// the camera axis, the film at -s z, t the unit lens normal and f the focal length, the plane of sharp focus is k.X = 1 with
 ///
@@ -51,7 +49,7 @@ enum class FocusFamily
     SharpPoints
 };
 
-/// A `tilt_lens` block as written: film in mm, angles in degrees; points and planes in world coordinates, scene units.
+/// Film in mm, angles in degrees; points and planes in world coordinates, scene units.
 struct Statement
 {
     double filmWidth = 36.0;
@@ -87,7 +85,7 @@ struct Statement
     double scale = 1.0;              ///< cube root of the determinant of the camera's transformations
 };
 
-/// A solved thin lens with film and plane of sharp focus. World axes relative to the lens centre, scene units.
+/// World axes relative to the lens centre, scene units.
 struct Lens
 {
     Vec3 axisRight, axisUp, axis;  ///< orthonormal: along `right`, towards `up`, film normal into the scene
@@ -120,12 +118,11 @@ class OpticsError : public std::runtime_error
 };
 
 /// Solves statements without sharpWithin; Solve() (solve.h) solves all.
-/// @throws OpticsError  a degenerate camera; a lens turned by 90 degrees or more, or backward; a plane of focus through or behind the lens
-///                      centre, or beyond the reach of the focal length; a focus scale that no film position fits; non-finite numbers or
-///                      non-positive lengths
+/// @throws OpticsError  a degenerate camera; a lens turned by 90 degrees or more; a focus that no film position or tilt reaches; non-finite
+///                      numbers or non-positive lengths
 Lens SolveThinLens(const CameraFrame& camera, const Statement& given);
 
-/// Inverse film distance, 1/mm, of a thin lens with this focal length, mm; negative infinity if it cannot focus as stated.
+/// Inverse film distance, 1/mm; negative infinity if a thin lens of this focal length, mm, cannot focus as stated.
 /// @throws OpticsError  a degenerate camera
 double FilmVergence(const CameraFrame& camera, const Statement& given, double focalLength);
 
@@ -142,7 +139,7 @@ double SwingOf(const Lens& lens);
 /// Degrees between the plane of sharp focus and the film.
 double FocusAngleOf(const Lens& lens);
 
-/// Distance from the lens centre to the hinge line, f / sin(tilt) (Merklinger); infinite for a lens parallel to the film.
+/// Distance from the lens centre to the hinge line, f / sin(tilt) (Merklinger); infinite without tilt.
 double HingeDistanceOf(const Lens& lens);
 
 /// Distance along the axis to the plane of sharp focus; infinite or negative if not in front.
@@ -158,8 +155,8 @@ SharpRange SharpRangeOf(const Lens& lens, double width, double pixels);
 
 /// @name Blur in the picture.
 ///
-/// Blur is the longest diameter of the circle of confusion, pixels (of the disc around a polygon or bokeh picture): positive before the
-/// plane of sharp focus (nearer to the camera), negative behind it.
+/// Blur is the longest diameter of the circle of confusion, pixels: positive before the plane of sharp focus (nearer to the camera),
+/// negative behind it. A polygon or bokeh picture counts as the disc around it.
 /// @{
 
 /// Blur per difference of vergences (ray.h), for a frame `width` pixels wide.

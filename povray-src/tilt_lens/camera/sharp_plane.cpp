@@ -23,9 +23,9 @@ const double kSameDeviation = 1e-24;
 /// An equation after a part of k is known.
 struct Row
 {
-    RealVec direction;  ///< part perpendicular to everything known; zero if only rounding
-    Real vergence;      ///< minus the known part of k times the direction
-    Real rounding;      ///< least length that is not zero
+    RealVec direction;  ///< perpendicular to everything known; zero if only rounding
+    Real vergence;
+    Real rounding;      ///< greatest length that counts as zero
 
     bool Empty() const { return direction.x == 0 && direction.y == 0 && direction.z == 0; }
 };
@@ -34,7 +34,7 @@ struct Row
 class Span
 {
   public:
-    /// The row's part perpendicular to the span; zero if only rounding.
+    /// Part perpendicular to the span; zero if only rounding.
     RealVec Beside(const Row& row) const
     {
         RealVec beside = row.direction;
@@ -72,7 +72,7 @@ struct Circuit
     Real deviation = 0;         ///< least of its rows, not negative
 };
 
-/// @param independent  rows whose span holds the row `last`
+/// @param independent  their span holds the row `last`
 Circuit CircuitOf(const Rows& rows, const Indices& independent, std::size_t last)
 {
     Circuit circuit;
@@ -197,7 +197,6 @@ Solved SolveRows(const Rows& rows, const Real& same)
     }
 }
 
-/// An empty row does not affect k.
 Solved StrictSolution(const Rows& rows, const Real& same)
 {
     Rows full;

@@ -10,7 +10,7 @@
 ///
 /// which is cos^4 if both are parallel.
 ///
-/// Optical vignetting: a rim at the distance h before the lens, whose plane a ray meets at m l + e, hides a part of the aperture. With
+/// Optical vignetting: a rim at the distance h before the lens hides a part of the aperture. A ray meets the rim's plane at m l + e, with
 ///
 ///     e = (h / t.D) D across t,   m = 1 - (h / t.D) w         (D, w, l as in ray.h),
 ///
@@ -44,16 +44,16 @@ class Vignetting
     /// Natural fall-off, times the exposure that restores the centre's brightness.
     double Brightness(const FilmPoint& film) const;
 
-    /// Share of the aperture's light that passes the rim, to within 0.001.
+    /// Share of the aperture's light that passes, to within 0.001.
     double OpenShare(const FilmPoint& film) const;
 
     bool Passes(const FilmPoint& film, const AperturePoint& point) const;
 
-    /// Draws an open lens point: that of (u, v), or else a random one with the same density.
-    /// @return  sample weight; 0 for a film point without light
+    /// Draws the open lens point of (u, v), or else a random one with the same density.
+    /// @return  sample weight; 0 without light
     double DrawPoint(const Aperture& aperture, const FilmPoint& film, double u, double v, std::uint32_t seed, AperturePoint& point) const;
 
-    /// Density of an open point of DrawPoint(), relative to that without the rim.
+    /// Relative to that without the rim.
     double DrawDensity(const FilmPoint& film) const;
 
     /// Scene units; 0 without a rim.
@@ -61,7 +61,7 @@ class Vignetting
     double RimDistance() const { return rimDistance; }
 
   private:
-    /// Open part of the aperture, in its coordinates: points p with |m p + e| <= radius, e = (a, b).
+    /// Points p of the aperture with |m p + e| <= radius, e = (a, b).
     struct Opening
     {
         double m, a, b, radius;

@@ -29,7 +29,7 @@ constexpr double WavelengthOf(double hue)
 /// @}
 
 /// @param index  at the d line
-/// @param abbe   Abbe number; 0: no dispersion
+/// @param abbe   0: no dispersion
 double IndexAt(double index, double abbe, double wavelength);
 
 Prescription AtWavelength(const Prescription& prescription, double wavelength);

@@ -23,7 +23,7 @@ struct FieldAberrations
 
 /// @param filmDistance  mm, from H' along the axis
 /// @param height        mm, film point from the axis
-/// @return              none if the chief ray, through the stop's centre, does not pass
+/// @return              none if the ray through the stop's centre does not pass
 std::optional<FieldAberrations> FieldAberrationsOf(const GlassLens& lens, double filmDistance, double height);
 
 } // namespace tilt_lens

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file glass_lens.h
-/// A lens of glass. The folder glass/ knows neither camera nor film.
+/// A lens of glass.
 ///
 /// Frame: mm, z along the lens's axis towards the scene, origin in the front principal point H; the rear one, H', lies at z = -separation.
 ///
@@ -33,7 +33,7 @@ struct CardinalPoints
     double backFocus = 0.0;      ///< last surface to film, focused at infinity
     double entrancePupil = 0.0;  ///< z
     double exitPupil = 0.0;      ///< z; infinite for a telecentric lens
-    double exitMagnification = 0.0;  ///< exit pupil's radius over the stop's
+    double exitMagnification = 0.0;  ///< exit pupil's radius over the stop's; infinite with exitPupil
     double fNumber = 0.0;        ///< wide open, by real rays
     double entranceRadius = 0.0; ///< entrance pupil's radius over the stop's; negative if the stop's image is inverted
 };
@@ -81,10 +81,10 @@ class GlassLens
     /// Opens no wider than built.
     void StopDown(double fNumber);
 
-    /// @param opens  false for points at which the stop blocks rays
+    /// @param opens  false: the stop blocks rays there
     void ShapeStop(std::function<bool(const StopPoint&)> opens) { opening = std::move(opens); }
 
-    /// Takes the indices of a prescription with the same surfaces.
+    /// The prescription must have the same surfaces.
     void TakeIndices(const Prescription& prescription);
 
     /// @param[in,out] ray  starts behind the lens with direction.z > 0; ends as the ray that leaves the first surface, if it passes
@@ -100,7 +100,7 @@ class GlassLens
     /// direction.z < 0.
     Passage TraceFromScene(GlassRay& ray, StopPoint& stop, bool rims = true) const;
 
-    /// Bounding box of the first surface's clear opening: half its width, least and greatest z.
+    /// Half the width of the first surface's clear opening, least and greatest z.
     struct Front
     {
         double radius, low, high;

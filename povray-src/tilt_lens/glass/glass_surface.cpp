@@ -45,7 +45,7 @@ bool IntersectAspheric(const GlassSurface& surface, GlassRay& ray, Vec3& normal)
         if (!(inner > 0.0))
             return false;
         const double root = std::sqrt(inner);
-        double sag = c * square / (1.0 + root), slope = c / root;  // slope: derivative of the sag by the height, over the height
+        double sag = c * square / (1.0 + root), slope = c / root;  // derivative of the sag by the height, over the height
         double power = square;
         for (std::size_t j = 0; j < surface.aspheric.size(); j++)
         {

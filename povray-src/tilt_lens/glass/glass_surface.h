@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file glass_surface.h
-/// Intersection and refraction at one surface, with equal results for one ray and for rays side by side (simd.h). Frame and source:
-/// glass_lens.h.
+/// Intersection and refraction at one surface, equal for one ray and for rays side by side (simd.h). Frame and source: glass_lens.h.
 
 #ifndef TILT_LENS_GLASS_SURFACE_H
 #define TILT_LENS_GLASS_SURFACE_H
@@ -38,7 +37,7 @@ struct GlassSurface
     double squaredRim;
     bool stop, sphere;  ///< sphere or plane; else conic or aspherical
     double conic;
-    std::vector<double> aspheric;  ///< sag towards the scene
+    std::vector<double> aspheric;  ///< coefficients of the sag towards the scene
 };
 
 template<class Number>
@@ -55,7 +54,6 @@ TILT_LENS_INLINED Number Signed(const Number& value)
     return towardsScene ? value : -value;
 }
 
-/// Snell's law.
 /// @param cosine     unit normal and direction
 /// @param direction  in: before the surface; out: behind it
 /// @return           false for total reflection
@@ -72,7 +70,6 @@ TILT_LENS_INLINED MaskOf<Number> Refract(const GlassSurface& surface, const Numb
 
 /// For p relative to the vertex, c |p|^2 = 2 p.z, so c t^2 - 2 half t + constant = 0 along the ray. The root near the vertex counts; a
 /// sphere ends where it turns back.
-/// @param ray  becomes the refracted ray, if any
 template<bool towardsScene, class Number>
 TILT_LENS_INLINED Crossing<Number> CrossSphere(const GlassSurface& surface, GlassRayOf<Number>& ray)
 {

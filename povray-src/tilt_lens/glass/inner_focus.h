@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file inner_focus.h
-/// Lenses that focus by moving groups of glass (docs/lenses.md, "Focus"). Distances between surfaces are stated for infinity and nearer
-/// focuses, states 0, 1, 2, ..., and linear in between. Beyond these focuses the film moves.
+/// Lenses that focus by moving groups of glass (docs/lenses.md, "Focus"). States 0, 1, 2, ... are infinity and the stated
+/// nearer focuses; distances are linear in between. Beyond these focuses the film moves.
 
 #ifndef TILT_LENS_INNER_FOCUS_H
 #define TILT_LENS_INNER_FOCUS_H

@@ -80,7 +80,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json>
     {
         const auto end = text.begin() + std::ptrdiff_t(std::min(position > 0 ? position - 1 : 0, text.size()));
         std::string words = error.what();
-        // message: "[json.exception...] parse error at line 1, column 2: words"
+        // "[json.exception...] parse error at line 1, column 2: words"
         const std::size_t column = words.find("column ");
         const std::size_t colon = words.find(": ", column == std::string::npos ? 0 : column);
         words.erase(0, colon == std::string::npos ? 0 : colon + 2);

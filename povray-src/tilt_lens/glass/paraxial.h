@@ -35,7 +35,7 @@ inline ParaxialMap operator*(const ParaxialMap& second, const ParaxialMap& first
             second.c * first.b + second.d * first.d};
 }
 
-/// From before row `first` to before row `last`, or behind the last surface if `last` is the number of rows.
+/// From before row `first` to before row `last`, or behind the last surface.
 inline ParaxialMap MapBetween(const Prescription& prescription, std::size_t first, std::size_t last)
 {
     ParaxialMap map;

@@ -16,7 +16,7 @@
 namespace tilt_lens
 {
 
-/// One surface, or the stop. At the distance h from the axis, with c = 1/radius, a surface lies behind its vertex by
+/// At the distance h from the axis, with c = 1/radius, a surface lies behind its vertex by
 ///
 ///     c h^2 / (1 + sqrt(1 - (1 + conic) c^2 h^2)) + aspheric[0] h^4 + aspheric[1] h^6 + ...
 struct PrescriptionRow
@@ -36,7 +36,7 @@ struct Prescription
 {
     std::vector<PrescriptionRow> rows;
     std::size_t stop = 0;  ///< row of the aperture stop, a plane within one medium
-    std::vector<double> objectDistances;  ///< mm from the first surface to the focus, from far to near; empty: no group moves
+    std::vector<double> objectDistances;  ///< mm from the first surface, from far to near; empty: no group moves
 };
 
 /// The prescription is no lens. The text continues the file's name.

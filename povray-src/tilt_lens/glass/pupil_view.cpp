@@ -13,7 +13,7 @@ namespace tilt_lens
 namespace
 {
 
-/// Searched directions; bisection finds the pupil's border to 1/4000 of its size.
+/// Bisection finds the pupil's border to 1/4000 of its size.
 constexpr int kSpokes = 32;
 constexpr int kHalvings = 11;
 
@@ -21,10 +21,10 @@ constexpr int kHalvings = 11;
 constexpr int kPupilGrid = 24;
 constexpr int kSurfaceGrid = 64;
 
-/// If the longest spoke exceeds this times the shortest, spokes are measured again from the area's centre.
+/// Spokes are measured again from the area's centre if their lengths differ by a larger factor.
 constexpr double kRound = 1.3;
 
-/// Enlargement for borders between spokes and table entries; the second adds to it where rims cut the pupil.
+/// Enlargement for borders between spokes and table entries, and where rims cut the pupil.
 constexpr double kMargin = 1.04;
 constexpr double kCoveredMargin = 0.08;
 
@@ -119,7 +119,7 @@ struct Seen
     }
 };
 
-/// Length from an inner direction to the border, with rims and with the stop alone.
+/// From an inner direction to the border, with rims and with the stop alone.
 struct Spoke
 {
     double open, stop;

@@ -4,8 +4,8 @@
 /// @file pupil_view.h
 /// View from a film point through a lens of glass: its exit pupil, cut by the rims.
 ///
-/// Directions are cosines (l, m) along the lens's horizontal and vertical axis. Areas dl dm are projected solid angles, in which a uniform
-/// scene's light is uniform (docs/optics.md, "Through glass").
+/// Directions are cosines (l, m) along the lens's horizontal and vertical axis; areas dl dm are projected solid angles (docs/optics.md,
+/// "Through glass").
 
 #ifndef TILT_LENS_PUPIL_VIEW_H
 #define TILT_LENS_PUPIL_VIEW_H
@@ -76,7 +76,7 @@ inline std::optional<GlassRay> RayTowards(const Vec3& film, const PupilPoint& di
 }
 
 /// @param film  mm, lens frame
-/// @param near  a passing direction of a neighbouring film point, tried first
+/// @param near  tried first: passes at a neighbouring film point
 /// @return      none if no ray passes
 std::optional<PupilView> ViewOf(const GlassLens& lens, const Vec3& film, const std::optional<PupilPoint>& near);
 

@@ -224,7 +224,7 @@ const char* LentilList(const JsonValue& lens)
     return nullptr;
 }
 
-/// A database's chosen or only lens, or the file if it is no database.
+/// The chosen or only lens of a database, or the whole file.
 const JsonValue& Chosen(const JsonValue& file, const std::string& choice)
 {
     std::vector<const JsonValue*> lenses;

@@ -36,7 +36,7 @@ void WriteStateKey(pov_base::OStream& file, const std::string& key);
 /// Removes a file without tiles, as left by a program stopped at once.
 /// @param refuse  differences are errors, else remarks
 /// @return        a remark or an empty string
-/// @throws pov_base::Exception  the file belongs to another render, or to a larger picture
+/// @throws pov_base::Exception  a difference, if `refuse`; always if tiles do not fit the picture
 std::string CompareState(const pov_base::Path& file, const std::string& key, bool refuse);
 
 /// @throws pov_base::Exception  a tile is outside the picture or incomplete

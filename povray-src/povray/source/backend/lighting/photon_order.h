@@ -12,7 +12,7 @@ namespace pov
 
 class PhotonMap;
 
-/// Call before a map becomes a tree. Resets the C library's random numbers, from which its density is estimated.
+/// Call before a map becomes a tree. Resets the C library's random numbers.
 void OrderPhotons(PhotonMap& map);
 
 } // namespace pov

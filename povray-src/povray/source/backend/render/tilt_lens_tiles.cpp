@@ -39,7 +39,6 @@ void RunPilot(TiltLensTracer& tracer, RadiosityFunction& radiosity, bool apart, 
     }
 }
 
-/// Shares test pixels among threads.
 void EstimateWork(TiltLensTracer& tracer)
 {
     static_assert(tilt_lens::settings.probeSamples <= tilt_lens::settings.cameraRaysOfBatch, "they are one run");

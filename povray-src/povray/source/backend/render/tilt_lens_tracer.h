@@ -51,7 +51,7 @@ class TiltLensTracer : private SampleSeedSource, private tilt_lens::RayTracer
   private:
     TracePixel& trace;
     tilt_lens::SampleTracer plainSamples;
-    const bool interiorsVary;  ///< by origin
+    const bool interiorsVary;  ///< rays start in different objects' interiors
 
     const tilt_lens::PixelSampler* pixel = NULL;
     unsigned int index = 0;

@@ -20,8 +20,7 @@ class SceneData;
 
 /// Completes the camera's statement and solves its lens; returns warnings.
 ///
-/// - Object: first hit towards its bounding box's centre, even behind other objects; else the next of 1024 rays around it, by growing
-/// angle.
+/// - Object: first hit towards its bounding box's centre, even behind other objects; else the next of 1024 rays around it.
 /// - Place in the picture: first hit of its chief ray, transparent or not. Iterated if focusing changes the angle of view.
 ///
 /// @param scene  completely parsed

@@ -25,7 +25,7 @@ std::vector<double> Numbers(const Vec3& v)
     return {v.x, v.y, v.z};
 }
 
-/// The camera's axes, and its window at distance 1 along z.
+/// Camera's axes, and window at distance 1.
 struct Window
 {
     Vec3 x, y, z;

@@ -73,7 +73,7 @@ double RadianceOfBackground(const SceneData& scene)
     return sky ? std::max(brightest, tilt_lens::settings.greatestLitRadiance) : brightest;
 }
 
-/// An object outshines lit surfaces above this radiance, or the background where nothing is lit. With radiosity all objects light the
+/// Above this radiance, an object outshines lit surfaces, or the background where nothing is lit. With radiosity all objects light the
 /// scene, so it is white.
 double LeastRadiance(const SceneData& scene)
 {

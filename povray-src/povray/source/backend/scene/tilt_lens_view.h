@@ -46,11 +46,10 @@ class TiltLensView
 
     /// Shift and angle of view enter the camera's `direction`.
     /// @param camera  with a solved lens
-    /// @return        NULL for an ideal pinhole, which POV-Ray's own camera renders
+    /// @return        NULL for an ideal pinhole
     /// @throws std::invalid_argument  a bokeh picture without light
     static shared_ptr<TiltLensView> Create(Camera& camera, ViewData& view);
 
-    /// Called by the parser, which knows file and line.
     /// @throws tilt_lens::OpticsError  optical_vignetting leaves at most 1 per cent of the light in the middle
     static void RequireLight(const Camera& camera, shared_ptr<SceneData> scene);
 
@@ -62,7 +61,7 @@ class TiltLensView
     /// Chooses the variance for `budget`; else NULL.
     shared_ptr<tilt_lens::BudgetPilot> pilot;
 
-    /// Call after the pilot has finished.
+    /// Call after the pilot.
     const tilt_lens::SamplingLimits& Limits() const;
 
     /// Call after the pilot.
