@@ -164,7 +164,7 @@ configure()
         || die "the configuration failed (see above)."
 }
 
-# Hides ninja's messages on nothing to do, and CMake's lists of source files. On a terminal, lines of progress overwrite each other.
+# Hides ninja's messages on nothing to do, and CMake's lists of source files.
 show_progress()
 {
     local line columns=0

@@ -136,6 +136,6 @@ TILT_LENS_INLINED BoxHierarchy::Count BoxHierarchy::Walk(const double* origin, c
     }
 }
 
-} // namespace speedups
+}  // namespace speedups
 
 #endif

@@ -15,7 +15,7 @@ namespace
 
 constexpr int cells = CellDistribution::cells;
 
-/// Mean weights, column by column.
+/// Means, column by column.
 class Tabulation
 {
   public:

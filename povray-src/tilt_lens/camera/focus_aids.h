@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file focus_aids.h
-/// Drawings over a sharp picture. Colours are sRGB, 0 to 1. Blur is that of optics.h: pixels, positive before the plane of sharp focus.
+/// Drawings over a sharp picture. Colours are sRGB, 0 to 1; blur is that of optics.h.
 
 #ifndef TILT_LENS_FOCUS_AIDS_H
 #define TILT_LENS_FOCUS_AIDS_H

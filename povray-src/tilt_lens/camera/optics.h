@@ -32,7 +32,7 @@ namespace tilt_lens
 
 struct Prescription;
 
-/// POV-Ray's perspective camera after all transformations; world frame, scene units.
+/// POV-Ray's camera after all transformations; world frame, scene units.
 struct CameraFrame
 {
     Vec3 location;   ///< lens centre
@@ -89,11 +89,11 @@ struct Statement
 struct Lens
 {
     Vec3 axisRight, axisUp, axis;  ///< orthonormal: along `right`, towards `up`, film normal into the scene
-    Vec3 normal;                   ///< unit lens normal t, t.axis > 0
+    Vec3 normal;                   ///< unit vector t, t.axis > 0
     double focalLength = 0.0;      ///< f
     double filmDistance = 0.0;     ///< s, along the axis
     double diameter = 0.0;         ///< 0: pinhole
-    Vec3 focus;                    ///< k: the plane of sharp focus is k.X = 1
+    Vec3 focus;                    ///< k of the plane of sharp focus
     Vec3 direction, right, up;     ///< chief ray of (x, y) in [-0.5, 0.5]^2: direction + x right + y up
     double focusMiddle = 0.0, focusRight = 0.0, focusUp = 0.0;  ///< k.direction, k.right, k.up
     Vec3 lensX, lensY;             ///< lens point of aperture coordinates (a, b): a lensX + b lensY
@@ -132,7 +132,7 @@ std::vector<std::string> Warnings(const Lens& lens, const Statement& given);
 /// @name Numbers for a photographer.
 /// @{
 
-/// Degrees, as in `tilt` and `swing`.
+/// Degrees.
 double TiltOf(const Lens& lens);
 double SwingOf(const Lens& lens);
 
@@ -159,20 +159,20 @@ SharpRange SharpRangeOf(const Lens& lens, double width, double pixels);
 /// negative behind it. A polygon or bokeh picture counts as the disc around it.
 /// @{
 
-/// Blur per difference of vergences (ray.h), for a frame `width` pixels wide.
+/// Per difference of vergences (ray.h), for a frame `width` pixels wide.
 double BlurPerVergence(const Lens& lens, double width);
 
-/// @param chief  direction + x right + y up
+/// @param chief  direction + x right + y up, not normalised
 /// @param T      the surface point is T * chief; may be infinite
 double BlurDiameter(const Lens& lens, const Vec3& chief, double T, double width);
 
-/// k of the plane k.X = 1 with the given blur. Needs an aperture, and no distortion or field curvature.
+/// k of the plane k.X = 1. Needs an aperture, and no distortion or field curvature.
 Vec3 PlaneOfBlur(const Lens& lens, double pixels, double width);
 
 /// 1/T at which a chief ray meets the given blur; negative behind the lens. Needs an aperture.
 double VergenceOfBlur(const Lens& lens, const Vec3& chief, double pixels, double width);
 /// @}
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
 
 #endif

@@ -59,7 +59,7 @@ struct LensRayOf
 
 using LensRay = LensRayOf<double>;
 
-/// Rays of film points of the ideal lens, one or several side by side.
+/// Rays of the ideal lens, one or several side by side.
 /// @param vergence  added to w per length of the chief ray along the lens's axis
 template<class Number>
 TILT_LENS_INLINED LensRayOf<Number> RayFromIdeal(const Lens& lens, const Number& x, const Number& y, const Number& a, const Number& b,

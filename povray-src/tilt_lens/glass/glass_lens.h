@@ -28,8 +28,8 @@ struct CardinalPoints
 {
     double focalLength = 0.0;
     double separation = 0.0;     ///< from H back to H'
-    double frontVertex = 0.0;    ///< z of the first surface
-    double rearVertex = 0.0;     ///< z of the last surface
+    double frontVertex = 0.0;    ///< z
+    double rearVertex = 0.0;     ///< z
     double backFocus = 0.0;      ///< last surface to film, focused at infinity
     double entrancePupil = 0.0;  ///< z
     double exitPupil = 0.0;      ///< z; infinite for a telecentric lens

@@ -117,7 +117,7 @@ std::string Declared(POVMS_Object& options)
     return text;
 }
 
-/// Hexadecimal 64-bit FNV-1a (Fowler, Noll, Vo). "unknown" for a pipe or device, which cannot be read twice.
+/// Hexadecimal 64-bit FNV-1a. "unknown" for a pipe or device, which cannot be read twice.
 std::string Hash(const std::string& name)
 {
     std::error_code ignored;

@@ -42,6 +42,6 @@ std::string CompareState(const pov_base::Path& file, const std::string& key, boo
 /// @throws pov_base::Exception  a tile is outside the picture or incomplete
 void RequireWholeTile(const ViewData& view, POVMS_Object& message);
 
-} // namespace pov_frontend
+}  // namespace pov_frontend
 
 #endif

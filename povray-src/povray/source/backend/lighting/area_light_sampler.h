@@ -39,6 +39,6 @@ class AreaLightSampler
     unsigned int index = 0, lightsMet = 0;
 };
 
-} // namespace pov
+}  // namespace pov
 
 #endif

@@ -46,7 +46,6 @@ struct TiltLensItem
     std::string Example() const;
 };
 
-/// Ordered as in messages.
 extern const std::vector<TiltLensItem> kTiltLensItems;
 
 const TiltLensItem* FindTiltLensItem(const std::string& word);

@@ -44,6 +44,6 @@ void RecordCamera(const Camera& camera, const TiltLensPlace& end);
 /// @throws pov_base::Exception  unwritable file
 void FinishCameraRecord(Camera& view, shared_ptr<SceneData> scene, double width);
 
-} // namespace pov
+}  // namespace pov
 
 #endif

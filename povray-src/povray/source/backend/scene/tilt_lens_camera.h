@@ -90,7 +90,7 @@ struct TiltLensCamera
 
     void Transform(const TRANSFORM* trans);
 
-    /// @throws tilt_lens::OpticsError  tells where the camera was transformed
+    /// @throws tilt_lens::OpticsError
     static void Solve(Camera& camera);
 };
 

@@ -12,7 +12,7 @@
 namespace pov
 {
 
-/// Adds planes and boxes' faces that reflect without `normal`, relative to a location.
+/// Adds planes and boxes' faces that reflect without `normal`, relative to the location.
 void AddFlatMirrors(ObjectPtr object, const tilt_lens::Vec3& location, std::vector<tilt_lens::FlatMirror>& mirrors);
 
 } // namespace pov

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file scene_hierarchy.h
-/// Bounding hierarchies of a scene with `tilt_lens`: of its objects, and of each mesh's triangles. At equal depth they find the scene's
-/// first object, as POV-Ray does without bounding (-MB).
+/// Bounding hierarchies of a scene's objects and of each mesh's triangles. At equal depth they find the scene's first object, as POV-Ray
+/// does without bounding (-MB).
 
 #ifndef SCENE_HIERARCHY_H
 #define SCENE_HIERARCHY_H
