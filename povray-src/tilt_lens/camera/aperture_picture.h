@@ -45,7 +45,7 @@ class CellDistribution
 class AperturePicture
 {
   public:
-    /// @throws std::invalid_argument  no place has a positive weight
+    /// Throws as Aperture::Picture().
     explicit AperturePicture(const std::function<double(double u, double v)>& weight);
 
     AperturePoint Map(double u, double v) const;

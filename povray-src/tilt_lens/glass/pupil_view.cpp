@@ -47,8 +47,7 @@ struct Seen
         return ray && lens.Trace(*ray, stop) == Passage::Passed;
     }
 
-    /// @param rims  false: only the stop blocks rays
-    /// @return      one bit per passing direction
+    /// Arguments and result as for GlassLens::Trace().
     unsigned int Passing(const FourPupilPoints& directions, bool rims = true) const
     {
         FourGlassRays rays;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file photon_order.h
-/// Makes photon maps independent of threads, whose order their tree and sums of light depend on.
+/// Makes photon maps, their tree and sums of light, independent of the order of threads.
 
 #ifndef POVRAY_BACKEND_PHOTON_ORDER_H
 #define POVRAY_BACKEND_PHOTON_ORDER_H
