@@ -17,14 +17,14 @@ set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS ON)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
-# Stock is built without NDEBUG: its assertions stay on. The prefix map makes clones in two folders equal (and share one ccache).
+# Stock's assertions stay on. The prefix map makes clones in two folders equal.
 set(CMAKE_CXX_FLAGS_RELEASE "-O3")
 set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g -fno-omit-frame-pointer")
 add_compile_options("-ffile-prefix-map=${CMAKE_SOURCE_DIR}=.")
 # Only inlined functions pass registers of 32 bytes (math/simd.h).
 add_compile_options(-Wno-psabi)
 
-# A write past an array ends the program. Sanitizers check more, and exclude the C library's checks.
+# Ends the program at a write past an array. Sanitizers exclude the C library's checks.
 set(TILT_LENS_CHECK_STACK)
 if(NOT TILT_LENS_SANITIZE)
     set(TILT_LENS_CHECK_STACK -fstack-protector-strong)
@@ -41,8 +41,7 @@ if(TILT_LENS_SANITIZE)
     add_link_options(-fsanitize=${TILT_LENS_SANITIZE})
 endif()
 
-# A profile lies beside its object: two steps in one folder (cmake/build-fast takes both). prefer-atomic: threads count together. Files
-# without a profile are compiled as usual.
+# A profile lies beside its object, so two steps use one folder (cmake/build-fast). prefer-atomic: threads count together.
 if(TILT_LENS_PROFILE STREQUAL "make")
     add_compile_options(-fprofile-generate -fprofile-update=prefer-atomic)
     add_link_options(-fprofile-generate)
@@ -53,7 +52,7 @@ elseif(TILT_LENS_PROFILE)
     message(FATAL_ERROR "TILT_LENS_PROFILE is \"${TILT_LENS_PROFILE}\"; it can be \"make\", \"use\" or empty")
 endif()
 
-# ccache stops every compilation where it cannot write its folder.
+# ccache fails where it cannot write its folder.
 function(tilt_lens_try_ccache)
     set(probe "${CMAKE_BINARY_DIR}/CMakeFiles/ccache-probe.cpp")
     file(WRITE "${probe}" "int probe;\n")
@@ -75,7 +74,7 @@ if(TILT_LENS_CCACHE)
         tilt_lens_try_ccache()
     endif()
     if(CCACHE_PROGRAM AND TILT_LENS_CCACHE_WORKS)
-        # Paths are hashed relative to this folder: another clone hits.
+        # Paths are relative to this folder, so that another clone hits.
         set(CMAKE_CXX_COMPILER_LAUNCHER
             /usr/bin/env "CCACHE_BASEDIR=${CMAKE_SOURCE_DIR}" CCACHE_NOHASHDIR=1 "${CCACHE_PROGRAM}")
     endif()

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 #
 # An archive for any Linux with this system's glibc or a newer one: "cmake --build build --target bundle". Its folder is laid out like this
-# repository, for ./render and the pages' links, and like an installation, for the program:
+# repository, for ./render and links, and like an installation, for the program:
 #
 #   render, cmake/setup.sh            the command, with a set-up that has nothing to do
 #   bin/povray, lib/                  the program, and all libraries that it loads but glibc's

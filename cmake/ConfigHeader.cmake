@@ -26,7 +26,7 @@ configure_file("${CMAKE_CURRENT_LIST_DIR}/config.h.in" "${POVRAY_GENERATED}/conf
 # Printed at the start of a render; unknown is "" as upstream has it.
 file(CONFIGURE OUTPUT "${POVRAY_GENERATED}/jversion.h" CONTENT "#define JVERSION \"${JPEG_VERSION}\"\n")
 
-# The build's name in the version lines. A definition of the files that use it: a changed patch must not recompile everything.
+# A definition of the files that use it, so that a changed patch does not recompile everything.
 if(TILT_LENS_PATCHES)
     patched_source_series_hash(series_hash "${TILT_LENS_SERIES}" ${TILT_LENS_LEFT_OUT})
     string(SUBSTRING "${series_hash}" 0 12 series_hash)
@@ -38,7 +38,7 @@ else()
     set(TILT_LENS_BUILD_NAME "povray-tilt-lens ${PROJECT_VERSION}, without its patch series")
 endif()
 
-# A hash of our sources in state files: no other program may continue a picture.
+# No other program may continue a picture from a state file.
 file(GLOB_RECURSE own_sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/povray-src/*.cpp" "${CMAKE_SOURCE_DIR}/povray-src/*.h")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${own_sources})
 set(TILT_LENS_SOURCES_HASH "")

@@ -3,8 +3,7 @@
 #
 # The Debian package ("cmake --build build --target package") and the source archive ("--target package_source").
 #
-# Installs beside Debian's povray, in a prefix of its own with links to data and settings, because the program finds its files from its own
-# place (RunTree.cmake).
+# It installs beside Debian's povray, in a prefix of its own, because the program finds its files from its own place (RunTree.cmake).
 #
 #   /usr/lib/povray-tilt-lens/bin/povray          the program; /usr/bin/povray-tilt-lens is a link to it
 #   /usr/lib/povray-tilt-lens/share/povray-3.7    a link to /usr/share/povray-tilt-lens: include and ini files, scenes
@@ -43,7 +42,6 @@ function(package_gzip name text)
     execute_process(COMMAND gzip -9nf "${package_files}/${name}" COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 
-# Upstream's manual page under this program's name, and ours.
 file(READ "${POVRAY_SOURCE}/unix/povray.1" page)
 string(REGEX REPLACE "\\.TH POV-Ray 1" ".TH POVRAY-TILT-LENS 1" page "${page}")
 string(REGEX REPLACE "povray( \\\\- POV)" "povray-tilt-lens\\1" page "${page}")

@@ -1,10 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 #
-# The patched source tree: unpacks the pinned archive, applies Debian's pinned patches and our series without fuzz, and updates
-# build/upstream/povray file by file, so that a changed patch recompiles only its files.
-#
-# Each run starts from the archives: no tree is patched twice.
+# The patched source tree: unpacks the pinned archives, applies Debian's pinned patches and our series without fuzz, and updates
+# build/upstream/povray file by file, so that a changed patch recompiles only its files. No tree is patched twice.
 include_guard()
 include("${CMAKE_CURRENT_LIST_DIR}/Upstream.cmake")
 
@@ -45,8 +43,7 @@ function(patched_source_apply tree folder record)
     endforeach()
 endfunction()
 
-# Makes parts of TREE equal to FRESH's; only different files are written. They are dated now, never as in the archive: a file of 2018 would
-# be older than its object.
+# Makes parts of TREE equal to FRESH's. Changed files are dated now: a file of 2018 would be older than its object.
 function(patched_source_update tree fresh)
     foreach(part IN LISTS PATCHED_SOURCE_PARTS)
         foreach(side IN ITEMS fresh tree)
@@ -73,7 +70,7 @@ function(patched_source_update tree fresh)
     endforeach()
 endfunction()
 
-# Sets OUT to a hash of all that the patched tree depends on, without patches of the folders ARGN.
+# Sets OUT to a hash of the patched tree's inputs, without patches of the folders ARGN.
 function(patched_source_key out pin series_folder use_patches)
     file(SHA256 "${pin}" key)
     file(SHA256 "${CMAKE_CURRENT_FUNCTION_LIST_FILE}" recipe)

@@ -19,7 +19,7 @@ if(SPEEDUPS)
     list(APPEND povray_own_core ${povray_speedups})
 endif()
 
-# Options of all files. Both trees are searched for "backend/render/x.h".
+# Both trees are searched for "backend/render/x.h".
 add_library(povray_settings INTERFACE)
 target_compile_definitions(povray_settings INTERFACE HAVE_CONFIG_H _GNU_SOURCE=1 _REENTRANT
     BOOST_BIND_GLOBAL_PLACEHOLDERS)     # upstream's way of using them; Boost prints a note without this
@@ -29,7 +29,6 @@ set(povray_folders source source/backend source/base source/frontend vfe vfe/uni
 list(TRANSFORM povray_folders PREPEND "${POVRAY_SOURCE}/")
 target_include_directories(povray_settings INTERFACE ${povray_folders})
 target_include_directories(povray_settings INTERFACE "${POVRAY_OWN}/source" "${POVRAY_OWN}" "${SDL_INCLUDE_DIR}")
-# For upstream's Unix files: place of the installation, console, preview's library.
 add_library(povray_own_unix STATIC ${povray_own_unix})
 target_include_directories(povray_own_unix PRIVATE "${POVRAY_OWN}" "${SDL_INCLUDE_DIR}")
 target_compile_definitions(povray_own_unix PRIVATE TILT_LENS_INSTALL_PREFIX="${CMAKE_INSTALL_PREFIX}")
@@ -48,8 +47,8 @@ add_library(povray_core OBJECT ${povray_core})
 target_link_libraries(povray_core PRIVATE povray_settings)
 target_compile_options(povray_core PRIVATE -w)
 
-# Upstream's headers take most of a compilation, so several files are compiled together. Not those whose names clash (shapes), that
-# include a header without a guard (parser), whose functions the fuzzers replace at the link (povms, scene), or that fixes add.
+# Upstream's headers take most of a compilation, so several files are compiled together. Not those whose names clash (shapes), that include
+# a header without a guard (parser), whose functions the fuzzers replace (povms, scene), or that fixes add.
 set_target_properties(povray_core PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
 set(povray_alone ${povray_core})
 list(FILTER povray_alone INCLUDE REGEX "/backend/(shape|parser)/|/base/povms\\.cpp$|/backend/scene/scene\\.cpp$")
@@ -61,7 +60,7 @@ foreach(source IN LISTS povray_core)
 endforeach()
 set_source_files_properties(${povray_alone} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 
-# Functions that read others' text check their stack; elsewhere that would be 3 % of all instructions.
+# These functions read others' text; checks of the stack elsewhere would be 3 % of all instructions.
 set(povray_checks_stack ${povray_core})
 list(FILTER povray_checks_stack INCLUDE REGEX "/backend/parser/")
 set_source_files_properties(${povray_checks_stack} PROPERTIES COMPILE_OPTIONS "${TILT_LENS_CHECK_STACK}")
@@ -73,7 +72,7 @@ target_compile_options(povray_vfe PRIVATE -w ${TILT_LENS_CHECK_STACK} "SHELL:-in
 target_compile_definitions(povray_vfe PRIVATE POVCONFDIR_BACKWARD="/etc")
 set_target_properties(povray_vfe PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
 
-# Warnings for our lines only, not for upstream's headers or message codes such as 'OCLA'.
+# Ours alone warn, not upstream's headers or message codes such as 'OCLA'.
 add_library(povray_own_settings INTERFACE)
 target_link_libraries(povray_own_settings INTERFACE povray_settings)
 target_include_directories(povray_own_settings SYSTEM INTERFACE ${povray_folders})

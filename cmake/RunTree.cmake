@@ -3,8 +3,8 @@
 #
 # Files beside the program: include files with fonts, ini files, I/O permissions.
 #
-# In <prefix>/bin, the program looks for <prefix>/share/povray-3.7 and <prefix>/etc/povray/3.7
-# (povray-src/povray/vfe/unix/install_folders.cpp). Prefixes: the build folder, and any installation, also moved.
+# The program in <prefix>/bin finds <prefix>/share/povray-3.7 and <prefix>/etc/povray/3.7 (install_folders.cpp). The build folder is a
+# prefix, too.
 include_guard()
 
 set(data_folder share/povray-3.7)
@@ -72,8 +72,8 @@ install(CODE "
 install(FILES "${POVRAY_SOURCE}/unix/povray.1" DESTINATION share/man/man1)
 install(FILES "${CMAKE_SOURCE_DIR}/docs/man/povray-tilt-lens.7" DESTINATION share/man/man7)
 
-# run_tree_install_pages(DOC DATA ...): pages in the folder DOC, laid out as here for their links; the scenes are links to DATA's. Relative
-# to the prefix. Further arguments are install()'s, such as a component.
+# run_tree_install_pages(DOC DATA ...): pages in the folder DOC, and scenes as links to DATA's, relative to the prefix. Further arguments
+# are install()'s.
 function(run_tree_install_pages doc data)
     install(FILES "${CMAKE_SOURCE_DIR}/README.md" DESTINATION ${doc} ${ARGN})
     install(DIRECTORY "${CMAKE_SOURCE_DIR}/docs" "${CMAKE_SOURCE_DIR}/editors" DESTINATION ${doc} ${ARGN}

@@ -3,7 +3,7 @@
 #
 # The pinned source: reads the pin, checks and finds the files in POVRAY_TARBALL, the download folder, or the network, in this order.
 #
-# Pinned: upstream's tarball, and Debian's patches of files in the build. Any packaging with these patches will do.
+# Upstream's tarball and Debian's patches are pinned. Any packaging with these patches will do.
 #
 # upstream_read_pin sets in the caller's scope:
 #   UPSTREAM_PACKAGE, UPSTREAM_VERSION, UPSTREAM_SOURCE_FOLDER
@@ -133,8 +133,7 @@ function(upstream_advice out)
     set(${out} "${text}" PARENT_SCOPE)
 endfunction()
 
-# Downloads into a folder of this attempt and hands over checked files only, so that the next attempt starts clean. Sets PACKAGING, unpacked
-# in SCRATCH.
+# Hands over checked files only, so that the next attempt starts clean. Sets PACKAGING, unpacked in SCRATCH.
 function(upstream_download packaging downloads scratch)
     set(attempt "${downloads}/attempt")
     file(REMOVE_RECURSE "${attempt}")

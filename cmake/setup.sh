@@ -1,13 +1,12 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 #
-# The one set-up step of ./render, ./batch, ./focus and ./check, to be sourced: installs missing packages, configures, builds.
+# Set-up step of ./render, ./batch, ./focus and ./check, to be sourced: installs missing packages, configures, builds.
 #
-#   setup render|batch|focus|check [FOLDER]  leaves the program (check: and the tests) built in $repository/build; POV-Ray's
-#                                            source is taken from FOLDER or, without one, from the mirrors of apt's settings
+#   setup render|batch|focus|check [FOLDER]  leaves the program (check: and the tests) in $repository/build; FOLDER
+#                                            holds POV-Ray's source; without it, apt's mirrors do
 #
-# All it prints goes to standard error, so that a picture may go to standard output. With nothing to do it
-# asks dpkg, CMake and ninja, needs no network, waits for no other command that finds nothing to do, and stays well under a second.
+# Messages go to standard error. With nothing to do it needs no network, waits for no other such command, and stays well under a second.
 
 repository=$(dirname -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")")
 build=$repository/build
@@ -26,14 +25,14 @@ quoted()
 
 has_apt() { command -v dpkg-query >/dev/null && command -v apt-get >/dev/null; }
 
-# packages_of render|batch|focus|check: lines of cmake/debian-packages for this command: a name, or alternatives with | between them.
+# packages_of GROUP: a name a line, or alternatives with | between them.
 packages_of()
 {
     awk -v group="$1" '!/^#/ && NF == 2 && ($1 == "render" || $1 == group || group == "check") { print $2 }' \
         "$repository/cmake/debian-packages"
 }
 
-# missing_packages GROUP: lines of packages_of with nothing installed. Libraries for another processor do not count.
+# missing_packages GROUP: lines of packages_of with nothing installed for this processor.
 missing_packages()
 {
     local -a wanted names
@@ -51,7 +50,7 @@ missing_packages()
     done
 }
 
-# choose_packages NAMES...: for each the first alternative that apt can install, or the first of all.
+# choose_packages NAMES...: for each the first alternative that apt can install, else the first.
 choose_packages()
 {
     local package name
@@ -89,7 +88,7 @@ install_packages()
         || die "the packages could not be installed (see above; is there a network?). By hand:" "  $by_hand"
 }
 
-# lacking_tools: missing commands of the build, and a CMake that is too old, one a line.
+# Missing commands and a CMake that is too old, one a line.
 lacking_tools()
 {
     local tool least found
@@ -103,7 +102,6 @@ lacking_tools()
     fi
 }
 
-# die_elsewhere CAUSE: the message for systems that the set-up cannot serve.
 die_elsewhere()
 {
     die "$1" \
@@ -139,10 +137,9 @@ forget_moved_build()
     find "$build" -mindepth 1 -maxdepth 1 ! -name downloads ! -name setup.lock -exec rm -rf {} +
 }
 
-# in_cache ENTRY: true if CMake's cache holds this line.
 in_cache() { grep -qxF -- "$1" "$build/CMakeCache.txt" 2>/dev/null; }
 
-# new_options render|batch|focus|check [FOLDER]: CMake options that the configuration lacks, one a line.
+# new_options GROUP [FOLDER]: CMake options that the configuration lacks, one a line.
 new_options()
 {
     if [ "$1" = check ] && ! in_cache TILT_LENS_TESTS:BOOL=ON; then
@@ -155,8 +152,7 @@ new_options()
 
 is_configured() { [ -f "$build/build.ninja" ] && [ -z "$(new_options "$@")" ]; }
 
-# configure render|batch|focus|check [FOLDER]: without a finished configuration, without the tests, or for another source. Tests stay on
-# once they are: commands must not undo each other's configuration.
+# configure GROUP [FOLDER]: tests stay on once they are; commands must not undo each other's configuration.
 configure()
 {
     local -a options
@@ -168,8 +164,7 @@ configure()
         || die "the configuration failed (see above)."
 }
 
-# Shows ninja's messages without those on nothing to do, and without CMake's lists of source files. On a terminal, lines of progress
-# overwrite each other.
+# Hides ninja's messages on nothing to do, and CMake's lists of source files.
 show_progress()
 {
     local line columns=0
@@ -191,8 +186,7 @@ show_progress()
     [ "$columns" -eq 0 ] || printf '\r\033[K' >&2
 }
 
-# is_built TARGET render|batch|focus|check [FOLDER]: true if nothing is left to do. A dry run on build.ninja would end at the check whether
-# CMake must run, which is therefore made here.
+# is_built TARGET GROUP [FOLDER]: a dry run on build.ninja would end at the check whether CMake must run, which is therefore made here.
 is_built()
 {
     local target=$1 input
@@ -219,7 +213,7 @@ setup()
     mkdir -p "$build" || die "cannot create $build."
     [ -w "$build" ] || die "cannot write into $build (it belongs to $(stat -c %U -- "$build"))."
     exec {setup_lock}>> "$build/setup.lock" || die "cannot write into $build."
-    # With nothing to do, it suffices that nobody builds. A build must be the only one: two in one folder would spoil each other.
+    # A build must be the only one: two in one folder would spoil each other.
     if ! { flock -n -s "$setup_lock" && is_built "$target" "$1" "$folder"; }; then
         flock -n "$setup_lock" || { say "Waiting for another set-up in $build"; flock "$setup_lock"; }
         forget_moved_build

@@ -88,7 +88,7 @@ class Bins
 
     int Of(const BoxItem& item) const { return std::min(kNumber - 1, int((Middle(item, axis) - start) * scale)); }
 
-    double Cost() const { return cost; }  ///< sum over both parts of area times items; infinite: no split
+    double Cost() const { return cost; }  ///< sum of area times items; infinite: no split
     int Split() const { return split; }
 
   private:
@@ -148,7 +148,7 @@ ItemIterator SplitInHalves(const Range& range)
     return middle;
 }
 
-/// Splits at least two items into two parts, neither of them empty. Returns the second part's beginning.
+/// Splits at least two items; returns the second part's beginning. No part is empty.
 ItemIterator Split(const Range& range, bool even)
 {
     if (even)

@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file box_hierarchy.h
-/// Bounding volume hierarchy of axis-aligned boxes, eight children per node, built by the binned surface area heuristic (I. Wald, "On fast
-/// Construction of SAH-based Bounding Volume Hierarchies", 2007). The caller intersects rays with its items.
-///
-/// The library speedups/ makes POV-Ray faster and changes no pixel. It knows no camera. Below speedups/povray/ are the files at upstream's
-/// paths that use it.
+/// Bounding volume hierarchy of axis-aligned boxes, built by the binned surface area heuristic (I. Wald, "On fast Construction of SAH-based
+/// Bounding Volume Hierarchies", 2007).
 
 #ifndef SPEEDUPS_BOX_HIERARCHY_H
 #define SPEEDUPS_BOX_HIERARCHY_H
@@ -43,9 +40,8 @@ class BoxHierarchy
     };
 
     /// Calls test(item) for each item whose box the ray enters at or before `limit`, a node's nearer children first.
-    /// @tparam Vector            see BoxRay; does not change the order
     /// @param origin, direction  in the boxes' frame and unit; the direction may have any length but 0
-    /// @param limit              ray parameter, in lengths of the direction; read again after each test, which may lower it
+    /// @param limit              ray parameter, in lengths of the direction; tests may lower it
     template<class Vector, class Test>
     Count Walk(const double* origin, const double* direction, const double& limit, const Test& test) const;
 
@@ -72,7 +68,7 @@ class BoxHierarchy
         return {begin[i], node.children[i]};
     }
 
-    /// Returns the nearest child that the ray met; pushes the others on the stack.
+    /// Pushes the other children on the stack.
     static Waiting TakeNearest(const Node& node, const float* begin, unsigned int met, Waiting*& top, Count& count);
 
     std::vector<Node> nodes;
@@ -140,6 +136,6 @@ TILT_LENS_INLINED BoxHierarchy::Count BoxHierarchy::Walk(const double* origin, c
     }
 }
 
-} // namespace speedups
+}  // namespace speedups
 
 #endif

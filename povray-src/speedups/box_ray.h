@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file box_ray.h
-/// Intersects a ray with eight axis-aligned boxes at a time: the slab method in single precision, rounded so that no box is missed (T.
-/// Ize, "Robust BVH Ray Traversal", JCGT 2013).
+/// Slab method for eight axis-aligned boxes at a time, in single precision, rounded so that no box is missed (T. Ize, "Robust BVH Ray
+/// Traversal", JCGT 2013).
 
 #ifndef SPEEDUPS_BOX_RAY_H
 #define SPEEDUPS_BOX_RAY_H
@@ -17,21 +17,21 @@ namespace speedups
 
 using namespace tilt_lens;
 
-/// Unused places hold empty boxes, which no ray meets.
+/// Unused places hold empty boxes.
 struct alignas(32) EightBoxes
 {
     float planes[6][8];
 };
 
-/// Vector is Float8 for AVX2, Float4 for every processor. Both give the same results to the last bit.
+/// Vector is Float8 for AVX2, Float4 for every processor; both give equal results.
 template<class Vector>
 class BoxRay
 {
   public:
-    /// @param origin, direction  in the boxes' frame and unit; the direction may have any length but 0
+    /// @param origin, direction  as for BoxHierarchy::Walk()
     TILT_LENS_INLINED BoxRay(const double* origin, const double* direction)
     {
-        // axes side by side; the fourth lane is unused
+        // the fourth lane is unused
         const Double4 from = {origin[0], origin[1], origin[2], 0.0}, slope = {direction[0], direction[1], direction[2], 1.0};
         const LongMask4 bits = LongMask4(slope), sign = bits & (1ll << 63);
         const Double4 length = Double4(bits ^ sign), steepest = Double4() + 1.0 / kLeastSlope;
@@ -42,7 +42,7 @@ class BoxRay
         Float4 leaveFroms = __builtin_convertvector(from - signedMargin, Float4);
         Float4 enterInverses = __builtin_convertvector(inverse * (1.0 - kRounding), Float4);
         Float4 leaveInverses = __builtin_convertvector(inverse * (1.0 + kRounding), Float4);
-        // through memory: broadcasting a number from there takes one instruction, from a lane two
+        // broadcasting from memory takes one instruction, from a lane two
         asm volatile("" : "+m"(enterFroms), "+m"(leaveFroms), "+m"(enterInverses), "+m"(leaveInverses));
         for (int axis = 0; axis < 3; axis++)
         {
@@ -56,8 +56,8 @@ class BoxRay
         }
     }
 
-    /// @param limit  ray parameter, in lengths of the direction; boxes entered behind it do not count
-    /// @param begin  output, aligned to 32 bytes: ray parameters of the eight entries, 0 if the ray starts inside
+    /// @param limit  ray parameter, in lengths of the direction
+    /// @param begin  aligned to 32 bytes: ray parameters of the eight entries, 0 if the ray starts inside
     /// @return       one bit per box met
     TILT_LENS_INLINED unsigned int Enter(const EightBoxes& boxes, float limit, float* begin) const
     {
@@ -68,11 +68,11 @@ class BoxRay
     }
 
   private:
-    /// Allows for eight roundings of 2^-24 each, more than occur.
+    /// Allows for eight roundings of 2^-24, more than occur.
     static constexpr double kRounding = 4.8e-7;
     /// Keeps a ray along a plane at 0 inside the slab.
     static constexpr double kLeastMargin = 1e-15;
-    /// Least slope, so that no inverse is infinite.
+    /// Keeps inverses finite.
     static constexpr double kLeastSlope = 1e-36;
 
     Vector enterFrom[3], leaveFrom[3], enterInverse[3], leaveInverse[3];

@@ -5,7 +5,7 @@
 
 #include <cstring>
 
-/// GCC 11 has its own function for it.
+/// GCC 11 lacks the builtin.
 #if __has_builtin(__builtin_shufflevector)
 #define TILT_LENS_CHOOSE(a, b, ...) __builtin_shufflevector(a, b, __VA_ARGS__)
 #else
@@ -17,9 +17,9 @@ namespace speedups
 
 struct LatticeNoise::Cell
 {
-    Double4 from, to;     ///< point relative to the lower corner, and to the upper one
-    Double4 weights[2];   ///< four corners at near z, at far z; in each, x varies fastest
-    int gradients[2][4];  ///< corners' offsets, in the same order
+    Double4 from, to;     ///< relative to the lower corner, and to the upper one
+    Double4 weights[2];   ///< four corners at near z, at far z; x varies fastest
+    int gradients[2][4];
 
     TILT_LENS_INLINED Cell(const LatticeNoise& noise, const double* point)
     {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file lattice_noise.h
-/// POV-Ray's scalar noise (generators 1 and 2) and vector noise for AVX2: gradient noise on a lattice (K. Perlin, "An Image Synthesizer",
-/// 1985). POV-Ray's operations keep their order, so results are equal to the last bit.
+/// POV-Ray's noise (K. Perlin, "An Image Synthesizer", 1985) for AVX2. POV-Ray's operations keep their order, so results are equal to the
+/// last bit.
 
 #ifndef SPEEDUPS_LATTICE_NOISE_H
 #define SPEEDUPS_LATTICE_NOISE_H
@@ -20,20 +20,19 @@ class LatticeNoise
   public:
     static constexpr int kHashes = 8192, kNumbers = 267;
 
-    /// Enables the noise if the processor has AVX2.
+    /// Has no effect without AVX2.
     /// @param itsHashes  kHashes numbers up to 4095; must outlive this object
     /// @param numbers    kNumbers numbers, `stride` apart
     void SetTables(const unsigned short* itsHashes, const double* numbers, int stride);
 
-    /// If false, do not call At() and VectorAt().
+    /// If false, call neither At() nor VectorAt().
     bool Ready() const { return hashes != nullptr; }
 
-    /// @param point  three coordinates
-    /// @param wide   generator 2, which uses the whole range; else generator 1
-    /// @return       in [0, 1]
+    /// @param wide  generator 2; else generator 1
+    /// @return      in [0, 1]
     double At(const double* point, bool wide) const;
 
-    /// @param point, vector  three numbers each; may be the same array
+    /// @param point, vector  may be the same array
     void VectorAt(const double* point, double* vector) const;
 
   private:
@@ -43,7 +42,7 @@ class LatticeNoise
 
     const unsigned short* hashes = nullptr;
     double row[kNumbers];
-    Double4 components[kNumbers - 8];  ///< row[i], row[i + 4], row[i + 8]: the three components of a vector
+    Double4 components[kNumbers - 8];  ///< row[i], row[i + 4], row[i + 8]
 };
 
 } // namespace speedups

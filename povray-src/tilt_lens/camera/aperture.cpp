@@ -79,7 +79,7 @@ struct Aperture::Outline
         const double first = std::atan2(corner[0].b, corner[0].a);
         double turns = (std::atan2(point.b, point.a) - first) / (2 * pi);
         turns -= std::floor(turns);
-        // each blade spans an equal angle, unlike the chords of one blade
+        // blades span equal angles, unlike the chords of one blade
         const int blade = std::min(static_cast<int>(turns * blades), blades - 1);
         int edge = blade * (edges / blades);
         for (int span = edges / blades; span > 1;)
@@ -128,9 +128,9 @@ struct Aperture::Grade
 {
     Aperture shape;
     double power;    ///< n of Aperture::Graded()
-    bool rim;        ///< bright at the rim; else in the middle
+    bool rim;        ///< bright at the rim, else in the middle
 
-    /// Moves a point of the unit square towards the centre or away from it, so that equal areas get equal light.
+    /// Equal areas of the square get equal light.
     AperturePoint Map(double u, double v) const
     {
         const double x = 2 * u - 1, y = 2 * v - 1;
@@ -171,7 +171,7 @@ Aperture Aperture::Polygon(int blades, double angleRadians, double curvature)
         throw std::invalid_argument("The curvature of the diaphragm blades makes no opening. Found: " + std::to_string(curvature) +
                                     ". Allowed: 0 (straight) to 1 (a circle). Give another number, or none.");
 
-    constexpr int enough = 512;  // chords around a curved opening, at least
+    constexpr int enough = 512;  // least chords around a curved opening
     const int chords = curvature > 0 ? (enough + blades - 1) / blades : 1;
     const std::vector<AperturePoint> arc = Arc(blades, curvature, chords);
     auto outline = std::make_shared<Outline>();

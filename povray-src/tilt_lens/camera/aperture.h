@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file aperture.h
-/// The lens opening's shape: a map from the sampler's unit square to aperture coordinates. It keeps areas (Picture(): up to its weight)
-/// in proportion, so uniform and stratified samples stay so.
+/// Maps from the sampler's unit square to the lens opening, with areas in proportion to their light.
 
 #ifndef TILT_LENS_APERTURE_H
 #define TILT_LENS_APERTURE_H
@@ -30,28 +29,25 @@ class Aperture
   public:
     static constexpr int maxBlades = 1000;
 
-    /// Unit disc: the continuous map of P. Shirley and K. Chiu, "A Low Distortion Map Between Disk and Square", 1997.
+    /// Unit disc, by the map of P. Shirley and K. Chiu, "A Low Distortion Map Between Disk and Square", 1997.
     static Aperture Disc();
 
-    /// Regular polygon with corners on the unit circle; the first corner lies on the a axis, turned by the angle towards b. The map is
-    /// continuous. With a curvature c the edges are arcs of radius 1/c, approximated to 2e-5 by at least 512 chords.
-    /// @throws std::invalid_argument  fewer than 3 blades, more than maxBlades, an infinite angle, a curvature outside [0, 1]
+    /// Regular polygon with corners on the unit circle, the first at the angle from the a axis towards b. With a curvature c the edges are
+    /// arcs of radius 1/c, approximated to 2e-5 by at least 512 chords.
+    /// @throws std::invalid_argument  blades outside [3, maxBlades], an infinite angle, a curvature outside [0, 1]
     static Aperture Polygon(int blades, double angleRadians, double curvature = 0.0);
 
     /// Divides the shape's width by the ratio, or, below 1, multiplies its height by it.
-    /// @throws std::invalid_argument  a ratio that is not finite and positive
+    /// @throws std::invalid_argument  a ratio not finite and positive
     static Aperture Squeezed(const Aperture& shape, double ratio);
 
-    /// A disc or polygon brighter at its rim or in its middle, with the same light. At the relative radius r, with n = |amount| / (1 -
-    /// |amount|), the brightness is (n + 1) r^(2n) for a positive amount, (n + 1) (1 - r^2)^n for a negative one.
+    /// A disc or polygon brighter at its rim or in its middle, with the same light. Let n = |amount| / (1 - |amount|). At the relative
+    /// radius r the brightness is (n + 1) r^(2n), or (n + 1) (1 - r^2)^n for a negative amount.
     /// @throws std::invalid_argument  another shape; an amount outside (-1, 1)
     static Aperture Graded(const Aperture& shape, double amount);
 
-    /// Any brightness over the square around the lens, tabulated in 256 x 256 cells. Details smaller than half a cell may be missed.
-    /// @param weight  relative brightness at a = 2u - 1, b = 1 - 2v for (u, v) in [0, 1]^2: v grows downward, as in POV-Ray's `bokeh`.
-    ///                Negative and non-finite weights count as 0.
-    ///
-    /// u chooses a from the marginal distribution, v chooses b from that column's. The map is monotone: a grows with u, b falls with v.
+    /// Any brightness over the square around the lens, in 256 x 256 cells. a grows with u, b falls with v.
+    /// @param weight  relative brightness at a = 2u - 1, b = 1 - 2v, as in POV-Ray's `bokeh`; negative and non-finite weights count as 0
     /// @throws std::invalid_argument  no place has a positive weight
     static Aperture Picture(const std::function<double(double u, double v)>& weight);
 
@@ -61,10 +57,9 @@ class Aperture
     /// @param count  a multiple of 4
     void Map(const double* u, const double* v, double* a, double* b, int count) const;
 
-    /// Density of the points per area of aperture coordinates; 0 outside.
+    /// Points per area of aperture coordinates.
     double Density(const AperturePoint& point) const;
 
-    /// Radius of a circle around the centre that contains the opening.
     double BoundingRadius() const;
     bool IsDisc() const { return std::holds_alternative<Round>(shape); }
 

@@ -15,7 +15,7 @@ namespace
 
 constexpr int cells = CellDistribution::cells;
 
-/// Mean weight of every cell, column by column.
+/// Means, column by column.
 class Tabulation
 {
   public:
@@ -34,8 +34,7 @@ class Tabulation
 
     const double* Column(int i) const { return &mean[i * cells]; }
 
-    /// Scales the greatest mean to 1, so that no sum overflows.
-    /// @return  false if no mean is positive
+    /// Keeps sums from overflow; false if no mean is positive.
     bool Normalize()
     {
         const double greatest = *std::max_element(mean.begin(), mean.end());
@@ -72,7 +71,6 @@ class Tabulation
         return range;
     }
 
-    /// True if weights in and around the cell differ by more than 1/16 of the brightest.
     bool Varies(int i, int j) const
     {
         double low = HUGE_VAL, high = 0;
@@ -98,7 +96,7 @@ double CellDistribution::Build(const double* weight)
     double total = 0;
     for (int i = 0; i < cells; ++i)
         total += weight[i];
-    double sum = 0;  // equals total in the end, so that trailing cells without weight begin at 1
+    double sum = 0;  // ends as total, so that trailing cells without weight begin at 1
     for (int i = 0; i < cells; ++i)
     {
         bound[i] = total > 0 ? static_cast<float>(sum / total) : 0.0f;

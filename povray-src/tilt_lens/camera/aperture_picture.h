@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file aperture_picture.h
-/// Tables of Aperture::Picture(), and sampling from them.
+/// Tables of Aperture::Picture().
 
 #ifndef TILT_LENS_APERTURE_PICTURE_H
 #define TILT_LENS_APERTURE_PICTURE_H
@@ -17,7 +17,7 @@
 namespace tilt_lens
 {
 
-/// Piecewise constant over [0, 1] in equal cells. The index table of H.-C. Chen and Y. Asau (1974) inverts it in constant expected time.
+/// Piecewise constant over [0, 1]. The index table of H.-C. Chen and Y. Asau (1974) inverts it in constant expected time.
 class CellDistribution
 {
   public:
@@ -45,10 +45,9 @@ class CellDistribution
 class AperturePicture
 {
   public:
-    /// @throws std::invalid_argument  no place has a positive weight
+    /// Throws as Aperture::Picture().
     explicit AperturePicture(const std::function<double(double u, double v)>& weight);
 
-    /// @param u, v  uniform in [0, 1)
     AperturePoint Map(double u, double v) const;
 
     double Density(const AperturePoint& point) const;

@@ -17,7 +17,7 @@ namespace
 
 constexpr double kMostLateralColour = 0.25;
 
-/// Squared tangent of the largest angle between the lens's axis and the frame's chief rays.
+/// Squared tangent between the lens's axis and the frame's farthest chief ray.
 double FarthestOf(const Lens& lens)
 {
     double farthest = 0.0;
@@ -35,7 +35,7 @@ double FarthestOf(const Lens& lens)
 
 void RequireUnfolded(const Lens& lens, const Character& character, double unit, double farthest)
 {
-    // the direction in which distortionNear first folds the picture
+    // distortionNear first folds the picture in this direction
     const Vec3 across = lens.focus - Dot(lens.focus, lens.normal) * lens.normal;
     const double atAxis = lens.distortion2 + lens.distortionNear * Dot(lens.focus, lens.normal);
     const double fold = FoldOf(atAxis, lens.distortion4, -std::fabs(lens.distortionNear) * Length(across));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file apply_character.h
-/// Part of Solve() (optics.h): gives the ideal lens a real one's aberrations.
+/// Gives the ideal lens a real one's aberrations.
 
 #ifndef TILT_LENS_APPLY_CHARACTER_H
 #define TILT_LENS_APPLY_CHARACTER_H

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file blade_arc.h
-/// Curved edge of a diaphragm blade, as chords for a polygon's map (aperture.h).
+/// Curved edge of a diaphragm blade, as chords.
 
 #ifndef TILT_LENS_BLADE_ARC_H
 #define TILT_LENS_BLADE_ARC_H
@@ -20,7 +20,7 @@ inline double Cross(const AperturePoint& p, const AperturePoint& q)
     return p.a * q.b - p.b * q.a;
 }
 
-/// Chords of the arc between the corners at 0 and 2 pi/blades. Each spans a triangle of equal area with the origin.
+/// Chords between the corners at 0 and 2 pi/blades. Each spans a triangle of equal area with the origin.
 inline std::vector<AperturePoint> Arc(int blades, double curvature, int chords)
 {
     constexpr double kPi = 3.14159265358979323846;
@@ -39,7 +39,7 @@ inline std::vector<AperturePoint> Arc(int blades, double curvature, int chords)
     std::vector<double> place(chords + 1), sum(chords + 1), moved(chords + 1);
     for (int i = 0; i <= chords; ++i)
         place[i] = 2.0 * i / chords - 1;
-    // moves the points to equal steps of area; each pass leaves a small part of the inequality
+    // each pass moves the points closer to equal steps of area
     for (int pass = 0; pass < 20; ++pass)
     {
         for (int i = 0; i < chords; ++i)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file character.h
-/// A real lens's aberrations, as stated in a `tilt_lens` block (docs/lenses.md); off by default.
+/// A real lens's aberrations, as stated in a `tilt_lens` block.
 
 #ifndef TILT_LENS_CHARACTER_H
 #define TILT_LENS_CHARACTER_H
@@ -14,7 +14,7 @@ namespace tilt_lens
 
 struct Character
 {
-    double naturalVignetting = 0.0;  ///< share of the natural fall-off, 0 to 1
+    double naturalVignetting = 0.0;  ///< share, 0 to 1
     double opticalVignetting = 0.0;  ///< shift of a rim before the lens at the film's corners, in rim diameters
     std::optional<double> rimStop;   ///< f-number of that rim; absent: as wide as the aperture
     double edgeLight = 0.0;          ///< positive: brighter at the aperture's rim; negative: in its middle
@@ -28,11 +28,8 @@ struct Character
     bool Distorts() const { return distortion1 != 0.0 || distortion2 != 0.0 || distortionNear != 0.0; }
 };
 
-/// @name Limits.
-/// @{
 constexpr double kMostOpticalVignetting = 2.0;
 constexpr double kMostEdgeLight = 0.9;
-/// @}
 
 } // namespace tilt_lens
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file concentric.h
-/// Concentric map from the unit square to the disc (aperture.h), of one point or several side by side.
+/// Concentric map from the unit square to the disc, of numbers or registers.
 
 #ifndef TILT_LENS_CONCENTRIC_H
 #define TILT_LENS_CONCENTRIC_H
@@ -12,8 +12,7 @@
 namespace tilt_lens
 {
 
-/// @name Sine and cosine for |x| <= pi/4, of a number or register.
-/// Taylor series with an error below 3e-14: faster than the C library's, and equal on every machine.
+/// Taylor series for |x| <= pi/4 with an error below 3e-14, faster than the C library's and equal on every machine.
 /// @{
 template<class Number>
 TILT_LENS_INLINED Number SmallSin(const Number& x)
@@ -33,7 +32,7 @@ TILT_LENS_INLINED Number SmallCos(const Number& x)
 }
 /// @}
 
-/// Polar form: concentric squares of [-1, 1]^2 become concentric circles. The square's diagonals divide it into quarters.
+/// Concentric squares become concentric circles. The square's diagonals divide it into quarters.
 template<class Number>
 struct Concentric
 {
@@ -62,7 +61,6 @@ TILT_LENS_INLINED void OnDisc(const Number& u, const Number& v, Number& a, Numbe
     b = c.sideways ? across : along;
 }
 
-/// Polar position on a polygon.
 /// @param position  number of edges from the first corner
 /// @param radius    0 at the centre, 1 on the edge
 template<class Number>

@@ -34,12 +34,12 @@ double Factor(const Lens& lens, const Vec3& chief, const Split& split)
     return 1.0 + squaredTangent * (lens.distortion2 + lens.distortionNear * nearness + squaredTangent * lens.distortion4);
 }
 
-/// The distortion polynomial along one direction from the axis: 1 + square r^2 + cube r^3 + fourth r^4.
+/// The distortion polynomial along one direction.
 struct Bend
 {
     double square, cube, fourth;
 
-    /// @param across  unit vector, perpendicular to the axis
+    /// @param across  unit vector across the axis
     Bend(const Lens& lens, const Vec3& across) :
         square(lens.distortion2 + lens.distortionNear * Dot(lens.focus, lens.normal)),
         cube(lens.distortionNear * Dot(lens.focus, across)),
@@ -59,7 +59,7 @@ FilmPoint OnFrame(const Lens& lens, const Vec3& chief)
     return {(Dot(offset, lens.axisRight) - y * Dot(lens.up, lens.axisRight)) / Dot(lens.right, lens.axisRight), y};
 }
 
-/// Solves Ideal(r) = wanted for r below the fold, by Newton's method with bisection for steps out of its bracket. Negative: no solution.
+/// Solves Ideal(r) = wanted below the fold, by Newton's method within a bracket. Negative: no solution.
 double PictureTangent(const Bend& bend, double wanted)
 {
     const double fold = std::sqrt(FoldOf(bend.square, bend.fourth, bend.cube));
@@ -94,7 +94,7 @@ double Bisect(const Function& function, double low, double high)
     return low;
 }
 
-/// Least positive root of 1 + 3 a r^2 + 4 c r^3 + 5 b r^4, which is monotone between its turning points.
+/// Least positive root of 1 + 3 a r^2 + 4 c r^3 + 5 b r^4, monotone between its turning points.
 double LeastRoot(double a, double c, double b)
 {
     const auto slope = [=](double r) { return 1.0 + r * r * (3.0 * a + r * (4.0 * c + 5.0 * b * r)); };
@@ -124,7 +124,7 @@ double FoldOf(double distortion2, double distortion4, double cube)
         const double least = LeastRoot(distortion2, cube, distortion4);
         return least * least;
     }
-    // least positive root t of 1 + 3 a t + 5 b t^2, the derivative of r (1 + a r^2 + b r^4)
+    // least positive root t of 1 + 3 a t + 5 b t^2
     const double a = 3.0 * distortion2, b = 5.0 * distortion4;
     const double root = a * a - 4.0 * b;
     if (root < 0.0)
@@ -174,7 +174,7 @@ double PictureStretch(const Lens& lens, const FilmPoint& picture)
     const auto moved = [&](const Vec3& by) { return IdealChiefRay(lens, IdealFilmPoint(lens, OnFrame(lens, at + by))); };
     const Vec3 right = step * lens.axisRight, up = step * lens.axisUp;
     const Vec3 byX = (moved(right) - moved(-right)) / (2.0 * step), byY = (moved(up) - moved(-up)) / (2.0 * step);
-    // inverse of the least singular value of the derivative, from the eigenvalues of its square
+    // inverse of the derivative's least singular value, from the eigenvalues of its square
     const double xx = Dot(byX, byX), yy = Dot(byY, byY), xy = Dot(byX, byY);
     const double least = 0.5 * (xx + yy) - std::hypot(0.5 * (xx - yy), xy);
     return 1.0 / std::sqrt(least);

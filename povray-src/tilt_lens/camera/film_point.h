@@ -8,10 +8,8 @@
 ///
 ///     r_ideal = r_picture (1 + K r_picture^2 + K2 r_picture^4)       (r in units of half the film's width, s at the film's distance)
 ///
-/// and K = K1 + NEAR f/D, D being the focus distance along the lens's axis. Plane of sharp focus, blur and rays are those of the ideal
-/// point.
-///
-/// Source: D. C. Brown, "Close-Range Camera Calibration", Photogrammetric Engineering 37(8), 1971.
+/// and K = K1 + NEAR f/D, D being the axial focus distance (D. C. Brown, "Close-Range Camera Calibration", Photogrammetric Engineering
+/// 37(8), 1971). Focus, blur and rays are those of the ideal point.
 
 #ifndef TILT_LENS_FILM_POINT_H
 #define TILT_LENS_FILM_POINT_H
@@ -29,7 +27,6 @@ struct FilmPoint
     double x, y;
 };
 
-/// One vector in each lane of registers, or once.
 template<class Number>
 TILT_LENS_INLINED VecOf<Number> Broadcast(const Vec3& v)
 {
@@ -37,7 +34,7 @@ TILT_LENS_INLINED VecOf<Number> Broadcast(const Vec3& v)
     return {v.x - zero, v.y - zero, v.z - zero};
 }
 
-/// Ideal lens's chief ray, not normalised: ends in the frame's plane.
+/// Ideal lens's chief ray, not normalised.
 template<class Number>
 TILT_LENS_INLINED VecOf<Number> IdealChiefRay(const Lens& lens, const Number& x, const Number& y)
 {
@@ -64,21 +61,20 @@ inline FilmPoint FilmPointAt(double column, double row, double width, double hei
     return {column / width - 0.5, 0.5 - row / height};
 }
 
-/// Film point of an ideal lens's chief ray of any length; none if the ray leads away from the scene.
+/// Inverse of IdealChiefRay(), for any length; none if the ray leads away from the scene.
 std::optional<FilmPoint> IdealFilmPointOf(const Lens& lens, const Vec3& along);
 
-/// Film point of the ideal lens that distortion or lateral colour shows at a picture point.
 /// @param magnified  relative size of this colour's image
 FilmPoint IdealFilmPoint(const Lens& lens, const FilmPoint& picture, double magnified = 1.0);
 
-/// The inverse, without lateral colour. None beyond the fold of a distortion with negative K1 or K2.
+/// The inverse, without lateral colour. None beyond the fold.
 std::optional<FilmPoint> PictureFilmPoint(const Lens& lens, const FilmPoint& ideal);
 
-/// Largest stretching of the ideal picture by distortion, over all directions.
+/// Largest magnification by distortion, over all directions.
 double PictureStretch(const Lens& lens, const FilmPoint& picture);
 
 /// Squared tangent of the angle to the lens's axis at which the picture folds back; infinite: never.
-/// @param cube  coefficient of the tangent's third power along the direction in question
+/// @param cube  coefficient of the tangent's third power
 double FoldOf(double distortion2, double distortion4, double cube = 0.0);
 
 } // namespace tilt_lens

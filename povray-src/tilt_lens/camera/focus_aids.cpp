@@ -15,7 +15,7 @@ namespace tilt_lens
 namespace
 {
 
-/// Colours at 0, 1/3, 2/3 and 1 of each half of the scale.
+/// Colours at 0, 1/3, 2/3 and 1.
 const Rgb kBehind[4] = {{0.97, 0.97, 0.97}, {0.62, 0.79, 0.91}, {0.22, 0.50, 0.76}, {0.04, 0.20, 0.46}};
 const Rgb kBefore[4] = {{0.97, 0.97, 0.97}, {0.99, 0.76, 0.48}, {0.89, 0.46, 0.06}, {0.50, 0.22, 0.02}};
 
@@ -144,12 +144,12 @@ std::optional<Rgb> FocusMapScale::At(int x, int y) const
 
 FocusPlanes::FocusPlanes(const Lens& itsLens, int itsWidth, int itsHeight) : lens(itsLens), width(itsWidth), height(itsHeight)
 {
-    // grid lines follow the camera's right as far as the plane allows
+    // grid lines follow the camera's right where the plane allows
     const Vec3 normal = Length(lens.focus) > 0.0 ? Normalized(lens.focus) : lens.axis;
     const Vec3 across = lens.axisRight - Dot(lens.axisRight, normal) * normal;
     gridX = Normalized(Length(across) > 0.1 ? across : lens.axisUp - Dot(lens.axisUp, normal) * normal);
     gridY = Cross(normal, gridX);
-    // about ten lines over the frame at the plane's distance on the axis, or its least
+    // about ten lines over the frame
     const double axisFocus = AxisFocusOf(lens), nearest = 1.0 / Length(lens.focus);
     const double crossing = axisFocus > 0.0 && std::isfinite(axisFocus) ? axisFocus : nearest;
     const double distance = std::isfinite(crossing) ? crossing : lens.filmDistance;
@@ -161,7 +161,7 @@ Vec3 FocusPlanes::Chief(double x, double y) const
     return ChiefRay(lens, FilmPointAt(x, y, width, height));
 }
 
-/// True if the grid cells of the pixel's corners differ. No grid where cells are no larger than pixels.
+/// True if the grid cells of the pixel's corners differ.
 bool FocusPlanes::OnGridLine(double x, double y) const
 {
     double cell[3][2];

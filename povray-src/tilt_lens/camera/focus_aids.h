@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file focus_aids.h
-/// Drawings over a picture that is sharp throughout; they depend on the pixel in the whole picture alone.
-///
-/// Colours are display colours (sRGB, 0 to 1), which the caller converts to scene light. Blur is BlurDiameter() of optics.h: pixels,
-/// positive before the plane of sharp focus.
+/// Drawings over a sharp picture. Colours are sRGB, 0 to 1; blur is that of optics.h.
 
 #ifndef TILT_LENS_FOCUS_AIDS_H
 #define TILT_LENS_FOCUS_AIDS_H
@@ -26,7 +23,7 @@ struct Rgb
 struct FocusAids
 {
     bool peaking = false, map = false, planes = false;
-    Rgb peakingColour;           ///< in scene light
+    Rgb peakingColour;           ///< scene light, not sRGB
     double peakingPixels = 1.0;  ///< less blur counts as sharp
 
     bool Any() const { return peaking || map || planes; }
@@ -34,20 +31,19 @@ struct FocusAids
 
 constexpr double kPeakingTint = 0.5;
 
-/// Largest blur on focus_map's scale, pixels.
+/// Pixels.
 constexpr double kMapLimit = 64.0;
 
-/// Position on focus_map's scale: sign(b) log(1 + |b|), from -1 (behind, kMapLimit or more) to 1 (before).
+/// sign(b) log(1 + |b|), from -1 (behind, kMapLimit or more) to 1 (before).
 double FocusMapPosition(double blur);
 
 /// Blue behind, white in focus, orange before; darker with blur.
 Rgb FocusMapColour(double blur);
 
-/// The scale at the bottom of focus_map's picture, labelled in pixels.
 class FocusMapScale
 {
   public:
-    /// @param width, height  of the picture; nothing is drawn below 64 by 40
+    /// Draws nothing below 64 by 40.
     FocusMapScale(int width, int height);
 
     std::optional<Rgb> At(int x, int y) const;
@@ -61,30 +57,29 @@ class FocusMapScale
     void Write(int centre, int y, const char* text);
 };
 
-/// A translucent surface in front of a chief ray's hit.
 struct Veil
 {
     Rgb colour;
     double opacity;
 };
 
-/// Surfaces of show_planes: plane of sharp focus, and the near and far limit for a blur of one pixel. A grid shows the plane's slope.
+/// Plane of sharp focus, and limits for a blur of one pixel, with a grid.
 class FocusPlanes
 {
   public:
     /// @param lens  must outlive this
     FocusPlanes(const Lens& lens, int width, int height);
 
-    /// Surfaces between the lens and the point T of a pixel's chief ray, nearest first.
+    /// Surfaces before the point T of a pixel's chief ray, nearest first.
     std::vector<Veil> Before(int x, int y, double T) const;
 
-    /// Grid spacing, scene units: 1, 2 or 5 times a power of ten.
+    /// Scene units.
     double GridSpacing() const { return spacing; }
 
   private:
     const Lens& lens;
     const double width, height;
-    Vec3 gridX, gridY;               ///< unit vectors in the plane of sharp focus
+    Vec3 gridX, gridY;               ///< unit, in the plane of sharp focus
     double spacing = 0.0;
 
     Vec3 Chief(double x, double y) const;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file frame_table.h
-/// Square tables of functions over the frame: row by row from the upper left corner, bilinear in between.
+/// Square tables over the frame: row by row from the upper left corner, bilinear in between.
 
 #ifndef TILT_LENS_FRAME_TABLE_H
 #define TILT_LENS_FRAME_TABLE_H
@@ -26,7 +26,7 @@ inline FilmPoint FilmPointOfPlace(int side, int row, int column)
     return {double(column) / (side - 1) - 0.5, 0.5 - double(row) / (side - 1)};
 }
 
-/// Place of a film point in the table; points outside the frame are clamped to it, since radiosity's pretrace has some.
+/// Clamped to the frame, since radiosity's pretrace leaves it.
 TILT_LENS_INLINED TablePlace PlaceOf(int side, const FilmPoint& film)
 {
     const int last = side - 2;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file lens_numbers.cpp
-/// Photographers' numbers of a solved lens, blur, and warnings.
+/// Numbers for photographers, blur, and warnings.
 
 #include <cmath>
 #include <limits>
@@ -22,10 +22,10 @@ namespace
 const double kPi = 3.14159265358979323846;
 const double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Degrees. Real lenses stop at about 10.
+/// Degrees; real lenses stop at about 10.
 const double kUnusualTilt = 15.0;
 
-/// Film widths. Real lenses stop at a third.
+/// Film widths; real lenses stop at a third.
 const double kUnusualShift = 1.0;
 
 double Degrees(double radians)
@@ -39,7 +39,7 @@ std::string NumberBelow(double value, double limit)
     return text == Number(limit) && value < limit ? "almost " + text : text;
 }
 
-/// In camera axes, with rounding errors set to 0.
+/// Rounding errors become 0.
 Vec3 InCamera(const Lens& lens, const Vec3& v)
 {
     const double rounding = kRounding * Length(v);
@@ -51,8 +51,7 @@ Vec3 InCamera(const Lens& lens, const Vec3& v)
     return {part(lens.axisRight), part(lens.axisUp), part(lens.axis)};
 }
 
-/// True if no chief ray meets the plane of sharp focus in front of the lens. The inverse distance is linear over the frame,
-/// so testing its corners suffices.
+/// The inverse distance is linear over the frame, so testing its corners suffices.
 bool IsSharpBehindOnly(const Lens& lens)
 {
     for (double x : {-0.5, 0.5})
@@ -152,7 +151,7 @@ double BlurPerVergence(const Lens& lens, double width)
 namespace
 {
 
-/// Enlargement of a chief ray's blur by distortion; 1 beyond the fold.
+/// Enlargement of blur by distortion; 1 beyond the fold.
 double StretchOf(const Lens& lens, const Vec3& chief)
 {
     if (!lens.distorts)

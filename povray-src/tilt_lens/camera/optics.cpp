@@ -40,7 +40,7 @@ std::string Text(const Vec3& v)
     return "<" + Number(v.x) + ", " + Number(v.y) + ", " + Number(v.z) + ">";
 }
 
-/// Camera axes, the solver's frame: x `right`, y the part of `up` across it, z the film's normal; origin in the lens centre.
+/// x `right`, y the part of `up` across it, z the film's normal; origin in the lens centre.
 struct Axes
 {
     RealVec right, up, axis;
@@ -67,7 +67,7 @@ Axes AxesOf(const CameraFrame& camera)
     return axes;
 }
 
-/// Unit normal, camera axes, of a plane turned about the horizontal and the vertical axis; the order of turns does not matter.
+/// Unit normal, camera axes; the order of turns does not matter.
 RealVec TurnedNormal(double tiltDegrees, double swingDegrees, const char* what, const char* tiltWord, const char* swingWord)
 {
     if (!(std::fabs(tiltDegrees) < 90.0) || !(std::fabs(swingDegrees) < 90.0))
@@ -77,7 +77,7 @@ RealVec TurnedNormal(double tiltDegrees, double swingDegrees, const char* what, 
     return Normalized(RealVec{-sin(swing) * cos(tilt), -sin(tilt) * cos(swing), cos(tilt) * cos(swing)});
 }
 
-/// k = n/d of the plane of sharp focus n.X = d.
+/// k = n/d of the plane n.X = d.
 /// @param normal  unit vector, camera axes
 /// @param reach   size of the world coordinates, for rounding
 RealVec FocusOfPlane(const RealVec& normal, const Real& distance, const Real& reach)
@@ -96,7 +96,7 @@ RealVec FocusOfPoints(const Axes& axes, const CameraFrame& camera, const Stateme
     const RealVec a = Exact(given.points[0]);
     const RealVec ab = Exact(given.points[1]) - a, ac = Exact(given.points[2]) - a;
     const RealVec normal = Cross(Normalized(ab), Normalized(ac));
-    // sine of the angle at A, with a tolerance for points typed with few digits
+    // sine of the angle at A; the tolerance allows for typed digits
     if (!(Length(normal) > 1e-12))
         throw OpticsError("The three focal_points lie on one line: " + Text(given.points[0]) + ", " + Text(given.points[1]) + ", " +
                           Text(given.points[2]) + ". They must span a plane; move one of them off the line.");
@@ -186,7 +186,7 @@ Solution SolveFilm(const RealVec& t, const Real& f, const Real& s)
     return {t, f, s, {t.x / f, t.y / f, t.z / f - 1 / s}};
 }
 
-/// Lens turned after it was focused. Before the turn, the distance from film to subject is s + f s / (s - f).
+/// A lens turned after it was focused at the distance s + f s / (s - f) from film to subject.
 Solution SolveFocusScale(const RealVec& t, const Real& scale, const std::optional<Real>& focalLength, const Real& angleFilmDistance)
 {
     if (!focalLength)
@@ -209,7 +209,7 @@ Solution SolveFocusScale(const RealVec& t, const Real& scale, const std::optiona
 
 Solution SolvePlane(const RealVec& k, const std::optional<Real>& focalLength, const Real& angleFilmDistance)
 {
-    const Real across = sqrt(k.x * k.x + k.y * k.y);  // 1/J, the hinge line's inverse distance
+    const Real across = sqrt(k.x * k.x + k.y * k.y);  // hinge line's inverse distance
     const char* backward = ". Such a plane needs a lens turned backward; move or turn the plane away from the camera.";
     if (!focalLength)
     {
@@ -236,7 +236,7 @@ Solution SolvePlane(const RealVec& k, const std::optional<Real>& focalLength, co
     return {t, f, 1.0 / vergence, k};
 }
 
-/// Lengths known before the lens is solved, scene units.
+/// Scene units.
 struct Scales
 {
     const Real millimetre, filmWidth;
@@ -275,7 +275,7 @@ Real DiameterOf(const Statement& given, const Real& focalLength)
     return Real(given.aperture) * given.scale / 2;  // POV-Ray's aperture is twice the diameter
 }
 
-/// Lens plane's right and up: camera axes after the smallest rotation that takes z to t.
+/// Camera axes after the smallest rotation that takes z to t.
 void SpanLens(Lens& lens, const Axes& axes, const RealVec& t, const Real& diameter)
 {
     const Real radius = diameter / 2, bend = 1 / (1 + t.z);
@@ -285,7 +285,6 @@ void SpanLens(Lens& lens, const Axes& axes, const RealVec& t, const Real& diamet
     lens.lensY = Rounded(radius * axes.ToWorld(b));
 }
 
-/// `direction` with its axial component scaled to the film's distance if a focal length is stated; the camera's shift stays.
 RealVec FrameDirection(const Axes& axes, const CameraFrame& camera, const Statement& given, const Real& filmDistance, const Real& filmWidth)
 {
     if (!given.focalLength)
@@ -295,7 +294,7 @@ RealVec FrameDirection(const Axes& axes, const CameraFrame& camera, const Statem
     return direction + (wanted - Dot(axes.axis, direction)) * axes.axis;
 }
 
-/// True if products of three such lengths, as in a ray, neither overflow nor underflow.
+/// True if products of three such lengths neither overflow nor underflow.
 bool IsModerate(double length)
 {
     return length > 1e-100 && length < 1e100;
@@ -331,7 +330,7 @@ double FilmVergence(const CameraFrame& camera, const Statement& given, double fo
     }
     catch (const OpticsError&)
     {
-        return -HUGE_VAL;  // this focal length cannot focus; other errors do not depend on it and are reported later
+        return -HUGE_VAL;  // cannot focus; other errors are reported later
     }
 }
 

@@ -4,9 +4,6 @@
 /// @file optics.h
 /// Solves a `tilt_lens` statement for the lens, the film and the plane of sharp focus.
 ///
-/// The folder camera/ makes rays from film points and lens points. It holds the thin lens with aberrations and vignetting, the aperture's
-/// shape, blur, and focus aids. It knows neither lenses of glass nor pixels' samples nor POV-Ray.
-///
 /// Model (docs/optics.md): a thin lens, tilted about its centre, the camera's location; a flat film parallel to `right` and `up`. With z
 /// the camera axis, the film at -s z, t the unit lens normal and f the focal length, the plane of sharp focus is k.X = 1 with
 ///
@@ -15,7 +12,7 @@
 /// k = 0 is a plane at infinity; no formula divides by a distance that may vanish.
 ///
 /// Sources: T. Nakane et al., "Simulating tilt-shift lens using distributed ray tracing" (equation 1); H. M. Merklinger, "Principles of
-/// View Camera Focus" (the hinge rule); A. Kensler, "Tilt-Shift Rendering Using a Thin Lens Model", Ray Tracing Gems II, chapter 31.
+/// View Camera Focus"; A. Kensler, "Tilt-Shift Rendering Using a Thin Lens Model", Ray Tracing Gems II, chapter 31.
 
 #ifndef TILT_LENS_OPTICS_H
 #define TILT_LENS_OPTICS_H
@@ -35,36 +32,36 @@ namespace tilt_lens
 
 struct Prescription;
 
-/// POV-Ray's perspective camera after all transformations. World frame, scene units.
+/// POV-Ray's camera after all transformations; world frame, scene units.
 struct CameraFrame
 {
     Vec3 location;   ///< lens centre
     Vec3 direction;  ///< lens centre to frame centre
-    Vec3 right, up;  ///< of the frame at the end of `direction`
+    Vec3 right, up;  ///< frame's width and height
 };
 
 enum class FocusFamily
 {
-    LensTurn,    ///< `tilt`, `swing`, and focal point or film distance
+    LensTurn,    ///< `tilt`, `swing`, focal point or film distance
     FocusTurn,
     FocalPlane,
     FocalPoints,
     SharpPoints
 };
 
-/// A `tilt_lens` block as written: film in mm, angles in degrees; points and planes in world coordinates, scene units.
+/// Film in mm, angles in degrees; points and planes in world coordinates, scene units.
 struct Statement
 {
     double filmWidth = 36.0;
     std::optional<double> focalLength;  ///< mm; absent: the angle of view gives the film distance
     double sceneUnit = 1000.0;          ///< mm per scene unit
     FocusFamily family = FocusFamily::LensTurn;
-    double tilt = 0.0, swing = 0.0;            ///< of the lens
-    double focusTilt = 0.0, focusSwing = 0.0;  ///< of the plane of sharp focus
+    double tilt = 0.0, swing = 0.0;
+    double focusTilt = 0.0, focusSwing = 0.0;  ///< turn the plane of sharp focus
     Vec3 planeNormal{0.0, 0.0, 1.0};           ///< any length but 0
     double planeDistance = 0.0;                ///< along the unit normal, from the world's origin
-    Vec3 points[3];                            ///< on the plane of sharp focus
-    std::vector<Vec3> sharpPoints;             ///< the plane of sharp focus makes their greatest blur least
+    Vec3 points[3];
+    std::vector<Vec3> sharpPoints;             ///< their greatest blur is minimised
     std::optional<double> sharpWithin;         ///< greatest blur of sharpPoints, mm on the film; replaces fStop
     double shiftRight = 0.0, shiftUp = 0.0;    ///< mm
     std::optional<double> fStop;
@@ -73,86 +70,82 @@ struct Statement
     double bladeCurvature = 0.0;               ///< lens radius over edge radius; 0: straight
     double squeeze = 1.0;                      ///< aperture's height over width
     Character character;
-    std::shared_ptr<const Prescription> prescription;  ///< scaled lens of glass (solve.h); null: thin lens
+    std::shared_ptr<const Prescription> prescription;  ///< scaled lens of glass; null: thin lens
     bool dispersion = false;
-    double budget = 0.0;                       ///< mean samples of a pixel, replaces the variance (sampling/budget.h); 0: none
-    bool denoise = true;                       ///< reconstruct the picture (reconstruction.h)
+    double budget = 0.0;                       ///< mean samples per pixel; 0: the variance rules
+    bool denoise = true;
     std::uint32_t sampleSeed = 0;
 
-    /// Position of the film, in place of the focal point: at most one of the two, and with LensTurn only.
+    /// At most one of these two replaces the focal point; with LensTurn only.
     std::optional<double> filmDistance;  ///< mm along the axis; needs focalLength
     std::optional<double> focusScale;    ///< scene units from film to focus, before the lens turns
 
-    Vec3 focalPoint{0.0, 0.0, 1.0};  ///< world; `focal_point` or `look_at`
-    double aperture = 0.0;           ///< POV-Ray's number: twice the lens diameter, scene units; 0: pinhole
+    Vec3 focalPoint{0.0, 0.0, 1.0};
+    double aperture = 0.0;           ///< twice the lens diameter, scene units; 0: pinhole
     double scale = 1.0;              ///< cube root of the determinant of the camera's transformations
 };
 
-/// A solved thin lens with film and plane of sharp focus. World axes relative to the lens centre, scene units.
+/// World axes relative to the lens centre, scene units.
 struct Lens
 {
     Vec3 axisRight, axisUp, axis;  ///< orthonormal: along `right`, towards `up`, film normal into the scene
-    Vec3 normal;                   ///< unit lens normal t, t.axis > 0
+    Vec3 normal;                   ///< unit vector t, t.axis > 0
     double focalLength = 0.0;      ///< f
     double filmDistance = 0.0;     ///< s, along the axis
-    double diameter = 0.0;         ///< aperture; 0: pinhole
-    Vec3 focus;                    ///< k: the plane of sharp focus is k.X = 1
+    double diameter = 0.0;         ///< 0: pinhole
+    Vec3 focus;                    ///< k of the plane of sharp focus
     Vec3 direction, right, up;     ///< chief ray of (x, y) in [-0.5, 0.5]^2: direction + x right + y up
     double focusMiddle = 0.0, focusRight = 0.0, focusUp = 0.0;  ///< k.direction, k.right, k.up
     Vec3 lensX, lensY;             ///< lens point of aperture coordinates (a, b): a lensX + b lensY
-    double millimetre = 0.0;       ///< of film, scene units
+    double millimetre = 0.0;       ///< on the film
 
     /// @name Aberrations; 0 for an ideal lens.
     /// @{
-    bool distorts = false;         ///< true if one of the next three is not 0 (film_point.h)
-    double distortion2 = 0.0, distortion4 = 0.0;  ///< of the tangent's square and fourth power
-    double distortionNear = 0.0;   ///< of the squared tangent over the focus's axial distance; scene units
+    bool distorts = false;         ///< one of the next three is not 0
+    double distortion2 = 0.0, distortion4 = 0.0;  ///< factors of the tangent's square and fourth power
+    double distortionNear = 0.0;   ///< factor of the squared tangent over the axial focus distance; scene units
     double fieldCurvature = 0.0;   ///< c, 1/(scene units): see ray.h
     double lateralColour = 0.0;    ///< size of the red end's image over mid-spectrum's, minus 1
     double axialColour = 0.0;      ///< vergence lost at the red end; 1/(scene units)
     /// @}
 };
 
-/// No lens fulfils the statement. The text names fault, value found, values allowed, and remedy.
+/// No lens fulfils the statement.
 class OpticsError : public std::runtime_error
 {
   public:
     using std::runtime_error::runtime_error;
 };
 
-/// A thin lens of the statement's focal length and f-number; Solve() (solve.h) solves every statement.
-/// @param given  without sharpWithin, which Solve() turns into an f-number
-/// @throws OpticsError  a degenerate camera; a lens turned by 90 degrees or more, or backward; a plane of focus through or behind the lens
-///                      centre; a focal length that cannot reach the plane, or a focus nearer than it; a focus scale that no film position
-///                      fits; non-finite numbers or non-positive lengths
+/// Solves statements without sharpWithin; Solve() (solve.h) solves all.
+/// @throws OpticsError  a degenerate camera; a lens turned by 90 degrees or more; a focus that no film position or tilt reaches; non-finite
+///                      numbers or non-positive lengths
 Lens SolveThinLens(const CameraFrame& camera, const Statement& given);
 
-/// Inverse film distance, 1/mm, of a thin lens with this focal length, mm; negative infinity if it cannot focus as stated.
+/// Inverse film distance, 1/mm; negative infinity if a thin lens of this focal length, mm, cannot focus as stated.
 /// @throws OpticsError  a degenerate camera
 double FilmVergence(const CameraFrame& camera, const Statement& given, double focalLength);
 
-/// Sentences about a valid but probably unintended lens: a tilt past 15 degrees, a tilt without an aperture, a rim that passes through the
-/// film.
+/// Sentences about a valid but probably unintended lens.
 std::vector<std::string> Warnings(const Lens& lens, const Statement& given);
 
 /// @name Numbers for a photographer.
 /// @{
 
-/// Degrees, as in `tilt` and `swing`.
+/// Degrees.
 double TiltOf(const Lens& lens);
 double SwingOf(const Lens& lens);
 
 /// Degrees between the plane of sharp focus and the film.
 double FocusAngleOf(const Lens& lens);
 
-/// Distance J from the lens centre to the hinge line: J = f / sin(tilt) (Merklinger). Infinite for a lens parallel to the film.
+/// Distance from the lens centre to the hinge line, f / sin(tilt) (Merklinger); infinite without tilt.
 double HingeDistanceOf(const Lens& lens);
 
-/// Distance along the axis to the plane of sharp focus; infinite or negative if the plane does not cross it in front.
+/// Distance along the axis to the plane of sharp focus; infinite or negative if not in front.
 double AxisFocusOf(const Lens& lens);
 
-/// Depth of field on the axis, for a blur of `pixels` in a frame `width` pixels wide. `far` is infinite past the hyperfocal distance; both
-/// are if nothing on the axis is sharp.
+/// Depth of field on the axis, for a blur of `pixels` in a frame `width` pixels wide; infinite if nothing is sharp.
 struct SharpRange
 {
     double near = 0.0, far = 0.0;  ///< scene units from the lens centre
@@ -162,26 +155,24 @@ SharpRange SharpRangeOf(const Lens& lens, double width, double pixels);
 
 /// @name Blur in the picture.
 ///
-/// Blur is the longest diameter of the circle of confusion, the patch of film that light of one surface point reaches, in pixels. The
-/// circle is the lens outline times the difference of vergences (ray.h); a polygon or bokeh picture counts as the disc around it. Blur is
-/// positive before the plane of sharp focus (nearer to the camera), negative behind it, 0 on it and for a pinhole.
+/// Blur is the longest diameter of the circle of confusion, pixels: positive before the plane of sharp focus (nearer to the camera),
+/// negative behind it. A polygon or bokeh picture counts as the disc around it.
 /// @{
 
-/// Blur per difference of vergences, for a frame `width` pixels wide.
+/// Per difference of vergences (ray.h), for a frame `width` pixels wide.
 double BlurPerVergence(const Lens& lens, double width);
 
-/// Blur of the surface point T * chief; T may be infinite.
 /// @param chief  direction + x right + y up, not normalised
+/// @param T      the surface point is T * chief; may be infinite
 double BlurDiameter(const Lens& lens, const Vec3& chief, double T, double width);
 
-/// k of the plane k.X = 1 with the given blur. Such planes meet in the hinge line. Needs an aperture, and no distortion or field
-/// curvature.
+/// k of the plane k.X = 1. Needs an aperture, and no distortion or field curvature.
 Vec3 PlaneOfBlur(const Lens& lens, double pixels, double width);
 
 /// 1/T at which a chief ray meets the given blur; negative behind the lens. Needs an aperture.
 double VergenceOfBlur(const Lens& lens, const Vec3& chief, double pixels, double width);
 /// @}
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
 
 #endif

@@ -16,7 +16,7 @@ namespace tilt_lens
 /// With half of the aperture covered, one sample in 2^65 finds no open point.
 constexpr int kTries = 64;
 
-/// Least open share in the picture's middle; less would need too long an exposure.
+/// Less would need too long an exposure.
 constexpr double kLeastOpen = 0.01;
 
 class UniformNumbers

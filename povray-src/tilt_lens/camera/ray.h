@@ -59,7 +59,7 @@ struct LensRayOf
 
 using LensRay = LensRayOf<double>;
 
-/// Rays of film points of the ideal lens, one or several side by side.
+/// Rays of the ideal lens, one or several side by side.
 /// @param vergence  added to w per length of the chief ray along the lens's axis
 template<class Number>
 TILT_LENS_INLINED LensRayOf<Number> RayFromIdeal(const Lens& lens, const Number& x, const Number& y, const Number& a, const Number& b,
@@ -83,13 +83,13 @@ inline LensRay MakeRay(const Lens& lens, double x, double y, double a, double b)
     return RayFromIdeal(lens, ideal.x, ideal.y, a, b);
 }
 
-/// Arrays of samples and their rays; the sizes are multiples of 4.
+/// The sizes are multiples of 4.
 struct RayArrays
 {
     const double *x, *y, *a, *b;
     double* origin[3];
     double* direction[3];         ///< unit vectors
-    double* length;               ///< of the directions before normalisation
+    double* length;               ///< before normalisation
     double* w;
 };
 
@@ -103,9 +103,8 @@ inline LensRay MakeColourRay(const Lens& lens, double x, double y, double a, dou
     return RayFromIdeal(lens, ideal.x, ideal.y, a, b, -hue * lens.axialColour);
 }
 
-/// The chief ray D, of any length, of the ray through the lens point l and the point P. None if there is none, or if the ray reaches P
-/// from beyond its film point's focus. Y = s D solves Y = P - l + w(Y) l, and Y equals P along the lens's axis, so the equation is
-/// quadratic in w(Y).
+/// The chief ray D, of any length, of the ray through the lens point l and the point P. None if the ray reaches P from beyond
+/// its film point's focus. Y = s D solves Y = P - l + w(Y) l, and Y equals P along the lens's axis, so the equation is quadratic in w(Y).
 inline std::optional<Vec3> ChiefThrough(const Lens& lens, const Vec3& P, const Vec3& l)
 {
     const double divisor = 1.0 - Dot(lens.focus, l);

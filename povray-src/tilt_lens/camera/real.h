@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file real.h
-/// The solver's numbers: 113 bits and a wide range of exponents, against cancellation. The lens is rounded to doubles once, at the end.
-/// Equal on every machine, since it needs no C library.
+/// The solver's numbers: 113 bits and a wide range of exponents, against cancellation. Equal on every machine, without the C library.
 
 #ifndef TILT_LENS_REAL_H
 #define TILT_LENS_REAL_H

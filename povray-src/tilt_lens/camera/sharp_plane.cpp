@@ -17,15 +17,15 @@ namespace tilt_lens
 namespace
 {
 
-/// Relative difference of deviations that counts as none: far above Real's rounding, far below doubles'.
+/// Relative; far above Real's rounding, far below doubles'.
 const double kSameDeviation = 1e-24;
 
 /// An equation after a part of k is known.
 struct Row
 {
-    RealVec direction;  ///< part perpendicular to everything known; zero if it is only rounding
-    Real vergence;      ///< minus the known part of k times the direction
-    Real rounding;      ///< length of a direction that counts as zero
+    RealVec direction;  ///< perpendicular to everything known; zero if only rounding
+    Real vergence;
+    Real rounding;      ///< greatest length that counts as zero
 
     bool Empty() const { return direction.x == 0 && direction.y == 0 && direction.z == 0; }
 };
@@ -34,7 +34,7 @@ struct Row
 class Span
 {
   public:
-    /// The row's part perpendicular to the span; zero if it is only rounding.
+    /// Part perpendicular to the span; zero if only rounding.
     RealVec Beside(const Row& row) const
     {
         RealVec beside = row.direction;
@@ -53,7 +53,6 @@ class Span
         basis.push_back(unit);
     }
 
-    /// The row without its part in the span and in k.
     Row Rest(const Row& row) const { return {Beside(row), row.vergence - Dot(k, row.direction), row.rounding}; }
 
     RealVec k{};
@@ -65,15 +64,15 @@ class Span
 using Rows = std::vector<Row>;
 using Indices = std::vector<std::size_t>;
 
-/// See sharp_plane.h. Empty for independent rows.
+/// Empty for independent rows.
 struct Circuit
 {
     Indices rows;
     std::vector<Real> weights;  ///< magnitudes sum to 1; signs of the residuals
-    Real deviation = 0;         ///< least deviation of its rows, not negative
+    Real deviation = 0;         ///< least of its rows, not negative
 };
 
-/// @param independent  rows whose span holds the row `last`
+/// @param independent  their span holds the row `last`
 Circuit CircuitOf(const Rows& rows, const Indices& independent, std::size_t last)
 {
     Circuit circuit;
@@ -151,8 +150,7 @@ struct Solved
 
 Solved StrictSolution(const Rows& rows, const Real& same);
 
-/// Gives a circuit's rows its deviation, and solves the others by the free part of k.
-/// @return  k, and the others' circuit
+/// Gives a circuit's rows its deviation; the free part of k solves the others, whose circuit is returned.
 Solved SolveBeside(const Rows& rows, const Circuit& circuit, const Real& same)
 {
     Span span;
@@ -173,8 +171,8 @@ Solved SolveBeside(const Rows& rows, const Circuit& circuit, const Real& same)
     return solved;
 }
 
-/// Exchanges circuits until none has a greater deviation. Each has a greater one than the last, so this ends.
-/// @param rows  none of them empty
+/// Exchanges circuits until none has a greater deviation.
+/// @param rows  none empty
 Solved SolveRows(const Rows& rows, const Real& same)
 {
     Circuit circuit = FirstCircuit(rows);
@@ -199,7 +197,6 @@ Solved SolveRows(const Rows& rows, const Real& same)
     }
 }
 
-/// An empty row does not affect k.
 Solved StrictSolution(const Rows& rows, const Real& same)
 {
     Rows full;

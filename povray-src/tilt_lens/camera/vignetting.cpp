@@ -17,7 +17,7 @@ namespace tilt_lens
 namespace
 {
 
-/// Entries per row and column of the table: linear interpolation errs by less than 1/10000.
+/// Linear interpolation errs by less than 1/10000.
 constexpr int kTableSide = 65;
 
 constexpr int kCountSide = 128;
@@ -65,7 +65,7 @@ Vignetting::Opening Vignetting::OpeningFor(const FilmPoint& film) const
             rimRadius / lensRadius};
 }
 
-/// Counts lens points. Those near the opening's edge count in part.
+/// Points near the opening's edge count in part.
 void Vignetting::Tabulate(const Aperture& aperture)
 {
     std::vector<AperturePoint> points;

@@ -4,18 +4,17 @@
 /// @file vignetting.h
 /// Light fall-off towards the picture's edges. The centre keeps its brightness.
 ///
-/// Natural vignetting: for a chief ray C on the film's side, z the film's normal and t the lens's, irradiance falls with
+/// Natural vignetting: for a chief ray C, z the film's normal and t the lens's, irradiance falls with
 ///
 ///     (z.C) (t.C) / |C|^4,
 ///
 /// which is cos^4 if both are parallel.
 ///
-/// Optical vignetting: a rim before the lens hides a part of the aperture. A ray meets the rim's plane, at the distance h along the lens's
-/// axis, at m l + e, with
+/// Optical vignetting: a rim at the distance h before the lens hides a part of the aperture. A ray meets the rim's plane at m l + e, with
 ///
 ///     e = (h / t.D) D across t,   m = 1 - (h / t.D) w         (D, w, l as in ray.h),
 ///
-/// so a film point sees a disc of the aperture. Samples are drawn in this disc and weighted with its share of the aperture.
+/// so a film point sees a disc of the aperture.
 
 #ifndef TILT_LENS_VIGNETTING_H
 #define TILT_LENS_VIGNETTING_H
@@ -42,20 +41,19 @@ class Vignetting
 
     bool None() const { return natural == 0.0 && rimDistance == 0.0; }
 
-    /// Natural fall-off and exposure, relative to the centre. The exposure makes up for the light that the rim takes there.
+    /// Natural fall-off, times the exposure that restores the centre's brightness.
     double Brightness(const FilmPoint& film) const;
 
-    /// Share of the aperture's light that passes the rim, to within 0.001.
+    /// Share of the aperture's light that passes, to within 0.001.
     double OpenShare(const FilmPoint& film) const;
 
     bool Passes(const FilmPoint& film, const AperturePoint& point) const;
 
-    /// Draws an open lens point: that of (u, v), or else a random one with the same density.
-    /// @param seed        of the random numbers
-    /// @return            sample weight; 0 for a film point without light
+    /// Draws the open lens point of (u, v), or else a random one with the same density.
+    /// @return  sample weight; 0 without light
     double DrawPoint(const Aperture& aperture, const FilmPoint& film, double u, double v, std::uint32_t seed, AperturePoint& point) const;
 
-    /// Density of an open point of DrawPoint(), relative to that without the rim.
+    /// Relative to that without the rim.
     double DrawDensity(const FilmPoint& film) const;
 
     /// Scene units; 0 without a rim.
@@ -63,7 +61,7 @@ class Vignetting
     double RimDistance() const { return rimDistance; }
 
   private:
-    /// Open part of the aperture, in its coordinates: points p with |m p + e| <= radius, e = (a, b).
+    /// Points p of the aperture with |m p + e| <= radius, e = (a, b).
     struct Opening
     {
         double m, a, b, radius;
@@ -78,9 +76,9 @@ class Vignetting
     std::shared_ptr<const Lens> lens;
     double natural = 0.0;
     double rimDistance = 0.0, rimRadius = 0.0;
-    double middle = 1.0;  ///< natural fall-off in the picture's centre
+    double middle = 1.0;  ///< natural fall-off in the centre
     double exposure = 1.0;  ///< inverse of the open share there
-    std::vector<float> open;  ///< open shares, a table over the frame
+    std::vector<float> open;  ///< table over the frame
 
     double Falloff(const FilmPoint& film) const;
     Opening OpeningFor(const FilmPoint& film) const;

@@ -14,7 +14,7 @@ namespace tilt_lens
 namespace
 {
 
-/// Wavelengths per third of the spectrum.
+/// Per third of the spectrum.
 constexpr int kWavelengths = 16;
 
 double NormalPartialDispersion(double abbe)
@@ -29,7 +29,6 @@ double InverseSquare(double wavelength)
 
 } // namespace
 
-/// With x = 1/w^2, n = index + (x - xd) (b + c (x + xd)).
 double IndexAt(double index, double abbe, double wavelength)
 {
     if (abbe == 0.0)

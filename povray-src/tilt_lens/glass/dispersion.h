@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file dispersion.h
-/// Dispersion of glass. Cauchy's equation, n = A + B/w^2 + C/w^4 for the wavelength w, is fitted to the index n at the d line (587.6 nm),
-/// the Abbe number V = (n - 1) / (nF - nC), and a normal glass's (ng - nF) / (nF - nC) = 0.6438 - 0.001682 V.
-///
-/// Sources: Schott, technical information TIE-29, "Refractive index and dispersion" (normal glasses); M. Born, E. Wolf, Principles of
-/// Optics, section 2.3.4 (Cauchy's equation).
+/// Cauchy's equation through the d, F, C and g lines (docs/lenses.md, "Dispersion"). Sources: Schott, TIE-29, "Refractive index and
+/// dispersion" (normal glasses); M. Born, E. Wolf, Principles of Optics, section 2.3.4.
 
 #ifndef TILT_LENS_DISPERSION_H
 #define TILT_LENS_DISPERSION_H
@@ -32,7 +29,7 @@ constexpr double WavelengthOf(double hue)
 /// @}
 
 /// @param index  at the d line
-/// @param abbe   Abbe number; 0: no dispersion
+/// @param abbe   0: no dispersion
 double IndexAt(double index, double abbe, double wavelength);
 
 Prescription AtWavelength(const Prescription& prescription, double wavelength);
@@ -40,7 +37,7 @@ Prescription AtWavelength(const Prescription& prescription, double wavelength);
 /// @throws PrescriptionError  a glass without Abbe number
 void RequireAbbeNumbers(const Prescription& prescription);
 
-/// A lens of glass, stopped down, for each colour. Immutable, thread-safe.
+/// Immutable, thread-safe.
 class GlassOfColours
 {
   public:

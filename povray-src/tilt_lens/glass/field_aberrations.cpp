@@ -13,7 +13,7 @@ namespace tilt_lens
 namespace
 {
 
-/// Difference of direction cosines between neighbouring rays: its square is negligible beside 1, yet it is far above rounding.
+/// Difference of direction cosines: far above rounding, with a square negligible beside 1.
 constexpr double kStep = 1e-5;
 
 struct Aimed
@@ -67,7 +67,7 @@ std::optional<FieldAberrations> FieldAberrationsOf(const GlassLens& lens, double
     const auto above = aimed.Towards(*middle + kStep, 0.0, stop), below = aimed.Towards(*middle - kStep, 0.0, stop);
     if (!chief || !beside || !above || !below)
         return {};
-    // 1/distance from H at which neighbours meet, where y + z dy/dz vanishes
+    // 1/distance from H at which neighbours meet
     const auto atH = [](double place, double slope, double z) { return place - slope * z; };
     const double besideSlope = Slope(beside->direction.y, *beside);
     const double sagittal = -besideSlope / atH(beside->origin.y, besideSlope, beside->origin.z);

@@ -43,7 +43,7 @@ CardinalPoints CardinalPointsOf(const Prescription& prescription)
     points.separation = length + rearPrincipal - frontPrincipal;
     points.backFocus = whole.a * points.focalLength;
 
-    // entrance pupil: rays through the stop's centre have b reduced = -a height before the first surface
+    // rays through the stop's centre have b reduced = -a height before the first surface
     const ParaxialMap before = MapBetween(prescription, 0, stop);
     points.entrancePupil = frontPrincipal - before.b / before.a;
     points.entranceRadius = 1.0 / before.a;
@@ -159,7 +159,7 @@ double GlassLens::RearRadius() const
 GlassLens::Front GlassLens::FrontBox() const
 {
     const GlassSurface& front = surfaces.back();
-    // an aspherical surface may bend back, so the ball around its vertex is the bound
+    // an aspherical surface may bend back, so a ball around its vertex is the bound
     const double radius = std::sqrt(front.squaredRim);
     return {radius, front.z - radius, front.z + radius};
 }

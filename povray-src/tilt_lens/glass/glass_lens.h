@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file glass_lens.h
-/// A lens of glass: cardinal points by paraxial rays, and real rays by Snell's law.
+/// A lens of glass.
 ///
-/// The folder glass/ reads prescriptions, traces surfaces and measures pupils. It knows neither camera nor film.
-///
-/// Frame: mm, z along the lens's axis towards the scene, origin in the front principal point H. The rear one, H', lies at z = -separation.
+/// Frame: mm, z along the lens's axis towards the scene, origin in the front principal point H; the rear one, H', lies at z = -separation.
 ///
 /// Source: W. J. Smith, Modern Optical Engineering, chapters 2 and 10.
 
@@ -25,22 +23,22 @@
 namespace tilt_lens
 {
 
-/// mm, in the frame of GlassLens.
+/// mm.
 struct CardinalPoints
 {
     double focalLength = 0.0;
-    double separation = 0.0;     ///< distance from H back to H'
-    double frontVertex = 0.0;    ///< z of the first surface
-    double rearVertex = 0.0;     ///< z of the last surface
-    double backFocus = 0.0;      ///< from the last surface to the film, focused at infinity
+    double separation = 0.0;     ///< from H back to H'
+    double frontVertex = 0.0;    ///< z
+    double rearVertex = 0.0;     ///< z
+    double backFocus = 0.0;      ///< last surface to film, focused at infinity
     double entrancePupil = 0.0;  ///< z
     double exitPupil = 0.0;      ///< z; infinite for a telecentric lens
     double exitMagnification = 0.0;  ///< exit pupil's radius over the stop's; infinite with exitPupil
-    double fNumber = 0.0;        ///< wide open: focal length over the diameter of the widest axial beam of real rays
+    double fNumber = 0.0;        ///< wide open, by real rays
     double entranceRadius = 0.0; ///< entrance pupil's radius over the stop's; negative if the stop's image is inverted
 };
 
-/// All but the f-number, which takes real rays.
+/// All but the f-number.
 /// @throws PrescriptionError  a lens that does not collect light
 CardinalPoints CardinalPointsOf(const Prescription& prescription);
 
@@ -80,30 +78,29 @@ class GlassLens
     double StopRadius() const { return stopRadius; }
     double RearRadius() const;
 
-    /// Makes fNumber the focal length over the axial beam's diameter; never wider than built.
+    /// Opens no wider than built.
     void StopDown(double fNumber);
 
-    /// @param opens  false for points at which the stop blocks rays
+    /// @param opens  false: the stop blocks rays there
     void ShapeStop(std::function<bool(const StopPoint&)> opens) { opening = std::move(opens); }
 
-    /// Takes the indices of a prescription with the same surfaces; frame and cardinal points stay.
+    /// The prescription must have the same surfaces.
     void TakeIndices(const Prescription& prescription);
 
-    /// Traces from film to scene.
-    /// @param[in,out] ray  starts behind the lens with direction.z > 0; if it passes, becomes the ray that leaves the first surface
+    /// @param[in,out] ray  starts behind the lens with direction.z > 0; ends as the ray that leaves the first surface, if it passes
     /// @param[out] stop    set if the ray reaches the stop
     /// @param rims         false: only the stop blocks rays
     Passage Trace(GlassRay& ray, StopPoint& stop, bool rims = true) const;
 
-    /// Traces four rays, each with the same result as one.
+    /// Each ray has the same result as alone.
     /// @param[in,out] rays  those that do not pass may be NaN
     /// @return              one bit per passing ray, the lowest for the first
     unsigned int Trace(FourGlassRays& rays, FourStopPoints& stop, bool rims = true) const;
 
-    /// From scene to film: reverse order, direction.z < 0.
+    /// direction.z < 0.
     Passage TraceFromScene(GlassRay& ray, StopPoint& stop, bool rims = true) const;
 
-    /// Bounding box of the first surface's clear opening: half its width, least and greatest z.
+    /// Half the width of the first surface's clear opening, least and greatest z.
     struct Front
     {
         double radius, low, high;

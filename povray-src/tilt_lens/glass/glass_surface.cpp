@@ -11,12 +11,11 @@ namespace tilt_lens
 namespace
 {
 
-/// Newton's method to an aspherical surface; the tolerance is relative to the ray's height or 1 mm.
+/// Newton's method; the tolerance is relative to the ray's height or 1 mm.
 constexpr int kMostSteps = 30;
 constexpr double kNearEnough = 1e-13;
 
-/// Moves the ray's origin to the conic. The normal, of any length, points to the scene. False without intersection, or beyond the point
-/// where the surface turns back.
+/// The normal, of any length, points to the scene. False without intersection, or beyond the point where the surface turns back.
 bool IntersectConic(const GlassSurface& surface, GlassRay& ray, Vec3& normal)
 {
     const double c = surface.curvature;
@@ -46,7 +45,7 @@ bool IntersectAspheric(const GlassSurface& surface, GlassRay& ray, Vec3& normal)
         if (!(inner > 0.0))
             return false;
         const double root = std::sqrt(inner);
-        double sag = c * square / (1.0 + root), slope = c / root;  // slope: derivative of the sag by the height, over the height
+        double sag = c * square / (1.0 + root), slope = c / root;  // derivative of the sag by the height, over the height
         double power = square;
         for (std::size_t j = 0; j < surface.aspheric.size(); j++)
         {

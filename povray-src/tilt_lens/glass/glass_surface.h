@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file glass_surface.h
-/// One surface of glass: intersection and Snell's law. Spheres and planes are written once for one ray and for rays side by side (simd.h),
-/// with equal results. Frame and source: glass_lens.h.
+/// Intersection and refraction at one surface, equal for one ray and for rays side by side (simd.h). Frame and source: glass_lens.h.
 
 #ifndef TILT_LENS_GLASS_SURFACE_H
 #define TILT_LENS_GLASS_SURFACE_H
@@ -55,7 +54,6 @@ TILT_LENS_INLINED Number Signed(const Number& value)
     return towardsScene ? value : -value;
 }
 
-/// Snell's law.
 /// @param cosine     unit normal and direction
 /// @param direction  in: before the surface; out: behind it
 /// @return           false for total reflection
@@ -70,9 +68,8 @@ TILT_LENS_INLINED MaskOf<Number> Refract(const GlassSurface& surface, const Numb
     return left >= 0.0;
 }
 
-/// Sphere or plane: for p relative to the vertex, c |p|^2 = 2 p.z, so c t^2 - 2 half t + constant = 0 along the ray. The root near the
-/// vertex counts; a sphere ends where it turns back.
-/// @param ray  becomes the refracted ray, if any
+/// For p relative to the vertex, c |p|^2 = 2 p.z, so c t^2 - 2 half t + constant = 0 along the ray. The root near the vertex counts; a
+/// sphere ends where it turns back.
 template<bool towardsScene, class Number>
 TILT_LENS_INLINED Crossing<Number> CrossSphere(const GlassSurface& surface, GlassRayOf<Number>& ray)
 {
@@ -87,8 +84,7 @@ TILT_LENS_INLINED Crossing<Number> CrossSphere(const GlassSurface& surface, Glas
     return {met, withinRim, Refract<towardsScene>(surface, cosine, normal, ray.direction)};
 }
 
-/// Moves the ray to the stop's plane.
-/// @return  true within its opening
+/// Moves the ray to the stop's plane; true within the opening.
 template<class Number>
 TILT_LENS_INLINED MaskOf<Number> CrossStop(const GlassSurface& surface, GlassRayOf<Number>& ray)
 {

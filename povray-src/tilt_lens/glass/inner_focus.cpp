@@ -16,7 +16,7 @@ namespace tilt_lens
 namespace
 {
 
-/// Relative tolerance of stated distances, which files round.
+/// Relative tolerance, since files round.
 constexpr double kStatedDistance = 0.05;
 
 constexpr int kHalvings = 60;

@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file inner_focus.h
-/// Lenses that focus by moving groups of glass while the film stays (docs/lenses.md). A prescription may state distances between surfaces
-/// for infinity and nearer focuses, states 0, 1, 2, ...; between states they are linear, and the state is solved for the wanted focus.
-///
-/// The film stands at the traced image of infinity of state 0, plus the last row's difference of thickness between the state and infinity.
-/// Nearer than the last state or beyond infinity, as a tilted plane may need, the film moves.
+/// Lenses that focus by moving groups of glass (docs/lenses.md, "Focus"). States 0, 1, 2, ... are infinity and the stated
+/// nearer focuses; distances are linear in between. Beyond these focuses the film moves.
 
 #ifndef TILT_LENS_INNER_FOCUS_H
 #define TILT_LENS_INNER_FOCUS_H
@@ -18,23 +15,19 @@
 namespace tilt_lens
 {
 
-/// The lens with the state's thicknesses and fixed groups.
 Prescription InState(const Prescription& prescription, double state);
 
-/// mm from H' to an untilted lens's film.
+/// mm from H', without tilt.
 double FilmPlaceOf(const Prescription& prescription, double state);
 
-/// Distance of the focus from the first surface, mm, by paraxial rays; negative: beyond infinity.
+/// From the first surface, mm, by paraxial rays; negative: beyond infinity.
 double ObjectDistanceOf(const Prescription& prescription, double state);
 
 /// The state that focuses without moving the film, or the nearest.
-/// @param filmVergence  1/mm, for a focal length in mm: inverse distance from H' at which an ideal lens needs the film; negative infinity
-///                      if no distance is large enough
+/// @param filmVergence  inverse distance from H', 1/mm, at which an ideal lens of this focal length, mm, needs the film
 double StateFor(const Prescription& prescription, const std::function<double(double focalLength)>& filmVergence);
 
-/// Checks stated object distances against traced ones.
-/// @param line  of the statement
-/// @throws PrescriptionError
+/// @throws PrescriptionError  stated object distances differ from traced ones
 void RequireFocuses(const Prescription& prescription, int line);
 
 } // namespace tilt_lens

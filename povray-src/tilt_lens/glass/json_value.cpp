@@ -19,10 +19,10 @@ namespace
 
 using Kind = JsonValue::Kind;
 
-/// Nested lists and objects; a collection of lenses has five levels.
+/// A collection of lenses has five levels.
 constexpr std::size_t kDeepest = 64;
 
-/// Counts lines. The parser reports a number one character late, so the line is that of the last character read.
+/// The parser reports a number one character late, so the line is that of the last character read.
 struct LineCounter
 {
     using iterator_category = std::input_iterator_tag;
@@ -80,7 +80,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json>
     {
         const auto end = text.begin() + std::ptrdiff_t(std::min(position > 0 ? position - 1 : 0, text.size()));
         std::string words = error.what();
-        // message: "[json.exception...] parse error at line 1, column 2: words"
+        // "[json.exception...] parse error at line 1, column 2: words"
         const std::size_t column = words.find("column ");
         const std::size_t colon = words.find(": ", column == std::string::npos ? 0 : column);
         words.erase(0, colon == std::string::npos ? 0 : colon + 2);

@@ -26,7 +26,7 @@ struct JsonValue
     };
 
     Kind kind = Kind::kNull;
-    int line = 0;                    ///< where the value begins, from 1
+    int line = 0;                    ///< first line, from 1
     std::string name;
     double number = 0.0;
     std::string text;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file paraxial.h
-/// Paraxial rays, for cardinal points.
+/// Paraxial rays.
 
 #ifndef TILT_LENS_PARAXIAL_H
 #define TILT_LENS_PARAXIAL_H
@@ -15,13 +15,13 @@
 namespace tilt_lens
 {
 
-/// A ray from scene to film: height, and slope times index (`reduced`).
+/// From scene to film: height, and slope times index.
 struct ParaxialRay
 {
     double height = 0.0, reduced = 0.0;
 };
 
-/// Ray transfer matrix, with determinant 1: height' = a height + b reduced, reduced' = c height + d reduced.
+/// Ray transfer matrix, with determinant 1.
 struct ParaxialMap
 {
     double a = 1.0, b = 0.0, c = 0.0, d = 1.0;
@@ -35,7 +35,7 @@ inline ParaxialMap operator*(const ParaxialMap& second, const ParaxialMap& first
             second.c * first.b + second.d * first.d};
 }
 
-/// From before row `first` to before row `last`, or behind the last surface if `last` is the number of rows.
+/// From before row `first` to before row `last`, or behind the last surface.
 inline ParaxialMap MapBetween(const Prescription& prescription, std::size_t first, std::size_t last)
 {
     ParaxialMap map;

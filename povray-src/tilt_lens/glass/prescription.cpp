@@ -17,13 +17,12 @@ namespace
 
 constexpr std::size_t kMostRows = 200;
 
-/// Glass in visible light has up to 2.2, germanium in the infrared 4.
+/// Glass has up to 2.2 in visible light, germanium 4 in the infrared.
 constexpr double kMostIndex = 4.0;
 
 /// Glasses have 15 to 95.
 constexpr double kLeastAbbe = 10.0, kMostAbbe = 150.0;
 
-/// Checks ranges. A conic may end before its rim: rays beyond miss it.
 void RequireSensible(const ReadRow& read, bool last)
 {
     const PrescriptionRow& row = read.row;
@@ -52,7 +51,7 @@ void RequireSensible(const ReadRow& read, bool last)
                                                Number(kMostAbbe) + "; give 0 or none where it is not known, and in air.");
 }
 
-/// Gives rows without an index the medium before them, and finds the stop: the marked row, or the only plane within one medium.
+/// Gives marked stops the medium before them. Unmarked, the stop is the only plane within one medium.
 std::size_t FindStop(std::vector<ReadRow>& rows)
 {
     std::vector<std::size_t> marked, planes;

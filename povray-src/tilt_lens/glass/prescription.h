@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file prescription.h
-/// The table of a lens's surfaces, read from a file: pbrt's `.dat`, with Abbe numbers as an extension, or JSON of the lens shader lentil
-/// or the ISET toolboxes (docs/lenses.md). As in the files, rows go from scene to film, and a radius is positive if the centre lies
+/// The table of a lens's surfaces, read from a file (docs/lenses.md). Rows go from scene to film; a radius is positive if the centre lies
 /// towards the film.
 
 #ifndef TILT_LENS_PRESCRIPTION_H
@@ -17,16 +16,16 @@
 namespace tilt_lens
 {
 
-/// One surface, or the stop. At the distance h from the axis, with c = 1/radius, a surface lies behind its vertex by
+/// At the distance h from the axis, with c = 1/radius, a surface lies behind its vertex by
 ///
 ///     c h^2 / (1 + sqrt(1 - (1 + conic) c^2 h^2)) + aspheric[0] h^4 + aspheric[1] h^6 + ...
 struct PrescriptionRow
 {
     double radius = 0.0;  ///< mm; 0: plane
-    double thickness = 0.0;  ///< mm along the axis to the next row; the last row's counts only against nearThickness
-    std::vector<double> nearThickness;  ///< mm, for each of objectDistances (last row: to the film); empty: does not move
+    double thickness = 0.0;  ///< mm to the next row, focused at infinity; the last row's counts only against nearThickness
+    std::vector<double> nearThickness;  ///< mm, for each of objectDistances (last row: to the film); empty: stays
     double index = 1.0;  ///< behind the surface, at the d line (587.6 nm)
-    double abbe = 0.0;  ///< of that medium; 0: not stated, or air
+    double abbe = 0.0;  ///< 0: not stated, or air
     double diameter = 0.0;  ///< mm, clear opening
     double conic = 0.0;  ///< 0: sphere, -1: paraboloid
     std::vector<double> aspheric;  ///< 1/mm^3, 1/mm^5, ...
@@ -37,11 +36,10 @@ struct Prescription
 {
     std::vector<PrescriptionRow> rows;
     std::size_t stop = 0;  ///< row of the aperture stop, a plane within one medium
-    std::vector<double> objectDistances;  ///< mm from the first surface to the focus, from far to near; empty: no group moves. The rows'
-                                          ///< thickness is for infinity
+    std::vector<double> objectDistances;  ///< mm from the first surface, from far to near; empty: no group moves
 };
 
-/// The prescription is no lens. The text continues the file's name: value found, values allowed, remedy.
+/// The prescription is no lens. The text continues the file's name.
 class PrescriptionError : public std::runtime_error
 {
   public:
@@ -50,7 +48,6 @@ class PrescriptionError : public std::runtime_error
     const int line;  ///< from 1; 0: unknown
 };
 
-/// @param text    the whole file
 /// @param choice  a lens's name in a lentil database; else empty
 /// @throws PrescriptionError
 Prescription ReadPrescription(const std::string& text, const std::string& choice = "");

@@ -19,7 +19,7 @@ struct ReadRow
 {
     PrescriptionRow row;
     int line = 0;
-    bool stop = false;  ///< marked by the file; it has the index of the row before
+    bool stop = false;  ///< marked by the file
 };
 
 struct ReadLens
@@ -29,7 +29,7 @@ struct ReadLens
     int objectDistanceLine = 0;
 };
 
-/// A file's text for an error: shortened, question marks for unprintable characters.
+/// Shortened for an error, with question marks for unprintable characters.
 std::string Shown(const std::string& written);
 
 /// @throws PrescriptionError

@@ -13,7 +13,7 @@ namespace tilt_lens
 namespace
 {
 
-/// Directions in which the pupil's border is searched; bisection finds it to 1/4000 of the pupil.
+/// Bisection finds the pupil's border to 1/4000 of its size.
 constexpr int kSpokes = 32;
 constexpr int kHalvings = 11;
 
@@ -21,10 +21,10 @@ constexpr int kHalvings = 11;
 constexpr int kPupilGrid = 24;
 constexpr int kSurfaceGrid = 64;
 
-/// If the longest spoke is more times the shortest, spokes are measured again from the area's centre.
+/// Spokes are measured again from the area's centre if their lengths differ by a larger factor.
 constexpr double kRound = 1.3;
 
-/// Enlarges the ellipse for borders between spokes and table entries; the second adds to it where rims cut the pupil.
+/// Enlargement for borders between spokes and table entries, and where rims cut the pupil.
 constexpr double kMargin = 1.04;
 constexpr double kCoveredMargin = 0.08;
 
@@ -47,8 +47,7 @@ struct Seen
         return ray && lens.Trace(*ray, stop) == Passage::Passed;
     }
 
-    /// @param rims  false: only the stop blocks rays
-    /// @return      one bit per passing direction
+    /// Arguments and result as for GlassLens::Trace().
     unsigned int Passing(const FourPupilPoints& directions, bool rims = true) const
     {
         FourGlassRays rays;
@@ -119,7 +118,7 @@ struct Seen
     }
 };
 
-/// Length from an inner direction to the border, with rims and with the stop alone.
+/// From an inner direction to the border, with rims and with the stop alone.
 struct Spoke
 {
     double open, stop;
@@ -133,7 +132,7 @@ PupilPoint Along(int spoke)
     return {std::cos(angle), std::sin(angle)};
 }
 
-/// Four searches side by side. Each has a step that passes and one that does not.
+/// Four searches side by side.
 class FourSpokes
 {
   public:
@@ -149,7 +148,6 @@ class FourSpokes
         ends[i] = itsEnds;
     }
 
-    /// Lengthens steps until they do not pass, then bisects.
     void FindBorders(bool rims)
     {
         for (unsigned int open = 0xf; open != 0;)
@@ -175,7 +173,7 @@ class FourSpokes
 
     double Border(int i) const { return 0.5 * (passes[i] + ends[i]); }
 
-    /// One bit per spoke that ends at a rim, where the stop alone lets the blocked step pass.
+    /// One bit per spoke whose blocked step the stop alone lets pass.
     unsigned int EndAtRims() const { return Passing(ends, false); }
 
   private:
@@ -249,7 +247,6 @@ PupilPoint MiddleOf(const Spokes& spokes, const PupilPoint& inside)
     return {inside.l + l / area, inside.m + m / area};
 }
 
-/// Ellipse with the proportions of the bounding box of the spokes' ends.
 /// @param larger  factor on the ellipse through the farthest end
 PupilEllipse EllipseAround(const Spokes& spokes, const PupilPoint& inside, const PupilPoint& radial, double larger)
 {

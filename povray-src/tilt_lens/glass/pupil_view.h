@@ -4,8 +4,8 @@
 /// @file pupil_view.h
 /// View from a film point through a lens of glass: its exit pupil, cut by the rims.
 ///
-/// Directions are cosines (l, m) along the lens's horizontal and vertical axis. Areas dl dm are projected solid angles, in which a uniform
-/// scene's light is uniform (docs/optics.md, "Through glass").
+/// Directions are cosines (l, m) along the lens's horizontal and vertical axis; areas dl dm are projected solid angles (docs/optics.md,
+/// "Through glass").
 
 #ifndef TILT_LENS_PUPIL_VIEW_H
 #define TILT_LENS_PUPIL_VIEW_H
@@ -18,7 +18,7 @@
 namespace tilt_lens
 {
 
-/// Direction cosines: one direction or several side by side.
+/// Direction cosines.
 template<class Number>
 struct PupilPointOf
 {
@@ -60,14 +60,13 @@ TILT_LENS_INLINED PupilPointOf<Number> ParaxialAim(const CardinalPoints& points,
     return {way.x / length, way.y / length};
 }
 
-/// Squared cosine to the lens's axis; not positive if there is no such direction.
+/// Squared cosine to the lens's axis; not positive: no direction.
 template<class Number>
 TILT_LENS_INLINED Number SquaredAlong(const PupilPointOf<Number>& direction)
 {
     return 1.0 - direction.l * direction.l - direction.m * direction.m;
 }
 
-/// None if the cosines are no direction's.
 inline std::optional<GlassRay> RayTowards(const Vec3& film, const PupilPoint& direction)
 {
     const double square = SquaredAlong(direction);
@@ -76,8 +75,8 @@ inline std::optional<GlassRay> RayTowards(const Vec3& film, const PupilPoint& di
     return GlassRay{film, {direction.l, direction.m, std::sqrt(square)}};
 }
 
-/// Measures by a few hundred rays from a film point (mm, lens frame).
-/// @param near  a passing direction of a neighbouring film point, tried first
+/// @param film  mm, lens frame
+/// @param near  tried first: passes at a neighbouring film point
 /// @return      none if no ray passes
 std::optional<PupilView> ViewOf(const GlassLens& lens, const Vec3& film, const std::optional<PupilPoint>& near);
 

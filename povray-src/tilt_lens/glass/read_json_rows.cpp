@@ -15,10 +15,10 @@ namespace
 
 using Kind = JsonValue::Kind;
 
-/// Larger radii (mm) are planes in lentil's files.
+/// Larger radii (mm) are planes.
 constexpr double kPlaneRadius = 99999.0;
 
-/// Known lenses have up to eight coefficients and five focuses.
+/// Known lenses have up to eight and five.
 constexpr std::size_t kMostCoefficients = 20, kMostFocuses = 20;
 
 const char* const kKnown = "Known are lentil's form, with \"optical-elements-patent\", and that of ISET, with \"surfaces\".";
@@ -57,7 +57,6 @@ class Members
     double NumberOr(const char* name, double value) const { return Has(name) ? Number(name) : value; }
 
     /// Flattens nested lists.
-    /// @param most  greatest number of values
     std::vector<double> Numbers(const char* name, std::size_t most) const
     {
         std::vector<double> numbers;
@@ -107,7 +106,7 @@ void ReadShape(const Members& surface, PrescriptionRow& row)
     row.aspheric = surface.Numbers("aspherical-equation", kMostCoefficients);
 }
 
-/// One number, or with `states` focuses one for each.
+/// One number, or one for each of `states` focuses.
 void ReadThickness(const Members& surface, std::size_t states, int line, PrescriptionRow& row)
 {
     if (states == 0 || !surface.HasList("thickness"))
@@ -225,7 +224,7 @@ const char* LentilList(const JsonValue& lens)
     return nullptr;
 }
 
-/// The chosen lens of a database, its only lens, or the file if it is no database.
+/// The chosen or only lens of a database, or the whole file.
 const JsonValue& Chosen(const JsonValue& file, const std::string& choice)
 {
     std::vector<const JsonValue*> lenses;

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// configbase.h must always be the first POV file included within base *.cpp files
+// configbase.h must come first
 #include "base/configbase.h"
 
 #include "base/file_list.h"
@@ -13,7 +13,7 @@
 #include <mutex>
 #include <set>
 
-// this must be the last file included
+// must be last
 #include "base/povdebug.h"
 
 namespace tilt_lens
@@ -42,7 +42,7 @@ void List(const std::string& entry)
     stream.close();
     if (!stream)
     {
-        // no exception: the first files are read before any handler exists
+        // the first files are read before any exception handler exists
         std::fprintf(stderr, "povray: cannot write the list of files that TILT_LENS_FILE_LIST names: %s\n", list);
         std::_Exit(EXIT_FAILURE);
     }

@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file
-/// The files that a render depends on, for programs that detect outdated pictures, and for the key of its state file. If the environment
-/// variable `TILT_LENS_FILE_LIST` names a file, entries are appended, each name once per run: `+` (read), `-` (missing; its presence
-/// could change the picture) or `=` (a complete picture or layers' file), the name as used (relative to the current folder), and a zero
-/// byte.
+/// The files that a render depends on, for the environment variable `TILT_LENS_FILE_LIST` (docs/batch.md) and for state files.
 
 #ifndef POVRAY_TILT_LENS_FILE_LIST_H
 #define POVRAY_TILT_LENS_FILE_LIST_H
@@ -21,7 +18,7 @@ void ListFile(const std::string& name, bool found);
 
 void ListPicture(const std::string& name);
 
-/// Call when parsing of a scene begins.
+/// Call when parsing begins.
 void StartSceneFiles();
 
 std::vector<std::string> SceneFiles();

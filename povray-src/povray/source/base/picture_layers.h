@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file picture_layers.h
-/// Messages from renderer to front end for `Output_Layers`, of the class kPOVMsgClass_ViewImage:
-/// - kPOVMsgIdent_Layers, one per tile: rectangle, layer names, and values, layer by layer. Sent before the tile's colours, and kept in
-///   the state file.
-/// - kPOVMsgIdent_LayerAttributes, one per render: the camera's numbers, for the file's header.
+/// Messages to the front end for `Output_Layers`, of the class kPOVMsgClass_ViewImage:
+/// - kPOVMsgIdent_Layers, one per tile, before its colours: rectangle, layer names, and values, layer by layer;
+/// - kPOVMsgIdent_LayerAttributes, one per render.
 
 #ifndef POVRAY_BASE_PICTURE_LAYERS_H
 #define POVRAY_BASE_PICTURE_LAYERS_H
@@ -26,7 +25,7 @@ enum
 
     kPOVAttrib_OutputLayers = 'OuLa',
     kPOVAttrib_LayerNames = 'LayN',  ///< string: names, one per line
-    kPOVAttrib_LayerSizes = 'LayS',  ///< count of each attribute's numbers
+    kPOVAttrib_LayerSizes = 'LayS',  ///< numbers per attribute
     kPOVAttrib_LayerValues = 'LayV'   ///< vector of floats
 };
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file scene_attributes.h
-/// Attributes of the parser's final message to the front end.
+/// Attributes of the parser's final message.
 
 #ifndef POVRAY_BASE_SCENE_ATTRIBUTES_H
 #define POVRAY_BASE_SCENE_ATTRIBUTES_H

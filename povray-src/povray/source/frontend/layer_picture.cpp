@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// configbase.h must come first in the front end's files
+// configbase.h must come first
 #include "base/configbase.h"
 
 #include "frontend/layer_picture.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file layer_picture.h
-/// The front end's part of `Output_Layers`: collects tiles' layers and writes an OpenEXR file beside the picture.
+/// Collects tiles' layers for `Output_Layers` and writes an OpenEXR file.
 
 #ifndef POVRAY_FRONTEND_LAYER_PICTURE_H
 #define POVRAY_FRONTEND_LAYER_PICTURE_H
@@ -25,31 +25,30 @@ struct ViewData;
 class LayerPicture
 {
   public:
-    /// Layers, all zero; NULL if not wanted. Removes an older file, unless a render is continued.
+    /// NULL if not wanted. Removes an older file unless the render is continued.
     /// @throws pov_base::Exception  I/O restrictions forbid the file
     static shared_ptr<LayerPicture> Create(POVMS_Object& options);
 
-    /// Sentences about the layer options, or empty.
+    /// Sentences, or empty.
     static std::string Problem(POVMS_Object& options);
 
-    /// Warning about 32-bit colours in a file type that cannot hold them, or empty.
+    /// Warns of 32-bit colours in a file type that cannot hold them; else empty.
     static std::string Remark(POVMS_Object& options);
 
-    /// Handles layers in a kPOVMsgClass_ViewImage message, and keeps a tile's in the state file.
+    /// Also keeps a tile's layers in the state file.
     static void Take(const ViewData& view, POVMSType ident, POVMS_Object& message);
 
     /// Call after reading a state file.
     /// @throws pov_base::Exception  the render was begun without layers
     void RequireComplete() const;
 
-    /// Writes under a temporary name until complete.
     /// @throws pov_base::Exception  unwritable file
     void Write() const;
 
   private:
     const pov_base::Path file;
     const unsigned int width, height;
-    std::map<std::string, std::vector<std::vector<float>>> channels;  ///< rows; empty without a tile
+    std::map<std::string, std::vector<std::vector<float>>> channels;
     pov_base::OpenEXR::FloatAttributes attributes;
     std::vector<bool> covered;
     bool incomplete;

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// configbase.h must come first in the front end's files
+// configbase.h must come first
 #include "base/configbase.h"
 
 #include "frontend/state_key.h"
@@ -93,7 +93,7 @@ std::string Value(POVMS_Object& options, const Option& option)
     }
 }
 
-/// Declarations of command line and animation, one per line, sorted.
+/// One per line, sorted.
 std::string Declared(POVMS_Object& options)
 {
     std::vector<std::string> lines;
@@ -117,7 +117,7 @@ std::string Declared(POVMS_Object& options)
     return text;
 }
 
-/// Hexadecimal 64-bit FNV-1a (Fowler, Noll, Vo). "unknown" for a pipe or device, which cannot be read twice.
+/// Hexadecimal 64-bit FNV-1a. "unknown" for a pipe or device, which cannot be read twice.
 std::string Hash(const std::string& name)
 {
     std::error_code ignored;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file state_key.h
-/// The key of a state file, from which `+C` continues: text, one `name=value` per line, with the program, options that change pixels or
-/// the numbering of tiles, and a hash of each file read while parsing. It is the file's first message.
+/// First message of a state file, from which `+C` continues: one `name=value` per line, with the program, options that change pixels or the
+/// numbering of tiles, and a hash of each file read while parsing.
 
 #ifndef POVRAY_FRONTEND_STATE_KEY_H
 #define POVRAY_FRONTEND_STATE_KEY_H
@@ -33,15 +33,15 @@ std::string StateKey(POVMS_Object& options);
 /// @throws pov_base::Exception  unwritable file
 void WriteStateKey(pov_base::OStream& file, const std::string& key);
 
-/// Compares a state file with the render that continues it. Removes a file without tiles, as left by a program stopped at once.
-/// @param refuse  differences are errors (scenes with `tilt_lens`), else remarks
+/// Removes a file without tiles, as left by a program stopped at once.
+/// @param refuse  differences are errors, else remarks
 /// @return        a remark or an empty string
-/// @throws pov_base::Exception  the file belongs to another render, or to none; always if that picture was larger
+/// @throws pov_base::Exception  a difference, if `refuse`; always if tiles do not fit the picture
 std::string CompareState(const pov_base::Path& file, const std::string& key, bool refuse);
 
 /// @throws pov_base::Exception  a tile is outside the picture or incomplete
 void RequireWholeTile(const ViewData& view, POVMS_Object& message);
 
-} // namespace pov_frontend
+}  // namespace pov_frontend
 
 #endif

@@ -35,7 +35,7 @@ std::string Resolved(const std::string& name)
     return resolved;
 }
 
-/// True if a file may be renamed to `name`: no device, not write-protected, folder writable.
+/// True if `name` is no device and not write-protected, and its folder is writable.
 bool MayBeReplaced(const std::string& name)
 {
     struct stat found;
@@ -57,7 +57,7 @@ WholeFile::WholeFile(const UCS2String& filename) : target(pov_base::UCS2toASCIIS
 {
     if (!IsStandardStream(target))
         target = Resolved(target);
-    // includes the process, since two may write the same picture
+    // two processes may write the same picture
     place = IsStandardStream(target) || !MayBeReplaced(target) ? target : target + "." + std::to_string(getpid()) + ".part";
     errno = 0;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file whole_file.h
-/// Writes a file beside its place and renames it when complete, so that no failure leaves a truncated file.
+/// Writes a file under another name and renames it when complete, so that no failure leaves a truncated file.
 
 #ifndef POVRAY_FRONTEND_WHOLE_FILE_H
 #define POVRAY_FRONTEND_WHOLE_FILE_H
@@ -29,7 +29,7 @@ class WholeFile
     WholeFile(const WholeFile&) = delete;
     WholeFile& operator=(const WholeFile&) = delete;
 
-    /// Name for writing: the final one if it is no regular file (standard output, a device) or in a read-only folder.
+    /// The final name if it is no regular file (standard output, a device) or in a read-only folder.
     pov_base::UCS2String Place() const;
 
     /// @throws pov_base::Exception  incompletely written
@@ -44,7 +44,7 @@ class WholeFile
 
 bool IsStandardStream(const std::string& name);
 
-/// Closes and removes a finished picture's state file; `file` may be null.
+/// `file` may be null.
 void RemoveState(std::shared_ptr<pov_base::OStream>& file, const pov_base::Path& name);
 
 } // namespace pov_frontend

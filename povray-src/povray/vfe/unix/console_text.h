@@ -7,7 +7,6 @@
 namespace vfePlatform
 {
 
-/// Section of `--help` for our options.
 const char* OwnOptionsHelp();
 
 } // namespace vfePlatform

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file
-/// The installation's folders, relative to the program's place at run time, so that a moved program finds its files. Replaces upstream's
-/// string literals POVLIBDIR and POVCONFDIR.
+/// The installation's folders, found from the program's place. Replaces upstream's literals POVLIBDIR and POVCONFDIR.
 
 #ifndef POVRAY_TILT_LENS_INSTALL_FOLDERS_H
 #define POVRAY_TILT_LENS_INSTALL_FOLDERS_H
@@ -18,17 +17,17 @@ class Folder
   public:
     explicit Folder(const char* relative);
 
-    /// Folder name followed by `tail`, valid for the whole run.
+    /// Valid for the whole run.
     const char* operator/(const char* tail) const;
 
   private:
     std::string mPath;
 };
 
-/// `<prefix>/share/povray-3.7`: include files, fonts, ini files.
+/// `<prefix>/share/povray-3.7`.
 const Folder& DataFolder();
 
-/// `<prefix>/etc/povray/3.7`: `povray.ini` and `povray.conf`.
+/// `<prefix>/etc/povray/3.7`.
 const Folder& ConfigFolder();
 
 } // namespace povray_install

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file allocator.cpp
-/// Allocates by jemalloc, in huge pages if the system has them. Figures: docs/notebook.md, section on the cost of reading a scene.
+/// Allocates by jemalloc, in huge pages if the system has them (figures: docs/notebook.md).
 
-/// Read by jemalloc before main; see jemalloc(3).
+/// Read before main; see jemalloc(3).
 extern "C" const char* malloc_conf;
 const char* malloc_conf = "thp:always";

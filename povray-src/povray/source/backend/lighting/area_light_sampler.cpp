@@ -11,7 +11,7 @@
 namespace pov
 {
 
-/// Point of a row for x in (0, 1). POV-Ray bisects the row recursively; both halves of an odd row hold its middle, which weighs more.
+/// POV-Ray bisects the row recursively; both halves of an odd row hold its middle, which weighs more.
 static int PointOfRow(int points, double x)
 {
     int first = 0, last = points - 1;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file area_light_sampler.h
-/// One random point of an area light for each camera ray, in place of the whole grid, with the same mean (R. L. Cook, T. Porter, L.
-/// Carpenter, "Distributed Ray Tracing", 1984).
+/// One random point of an area light per camera ray, with the mean of the whole grid (R. L. Cook, T. Porter, L. Carpenter, "Distributed Ray
+/// Tracing", 1984).
 
 #ifndef POVRAY_BACKEND_AREA_LIGHT_SAMPLER_H
 #define POVRAY_BACKEND_AREA_LIGHT_SAMPLER_H
@@ -20,8 +20,7 @@ class LightSource;
 class AreaLightSampler
 {
   public:
-    /// @param itsPixel  sequence of the ray's pixel; must outlive the ray
-    /// @param itsIndex  index of the sample
+    /// @param itsPixel  must outlive the ray
     void Begin(const tilt_lens::PixelSampler& itsPixel, unsigned int itsIndex)
     {
         pixel = &itsPixel;
@@ -30,7 +29,6 @@ class AreaLightSampler
     }
 
     /// @param radiosityDepth  recursion depth; radiosity's samples need the whole grid
-    /// @param[out] u, v       column and row of the point
     /// @return                false: walk the whole grid
     bool ChoosePoint(const LightSource& light, unsigned int radiosityDepth, int& u, int& v);
 
@@ -41,6 +39,6 @@ class AreaLightSampler
     unsigned int index = 0, lightsMet = 0;
 };
 
-} // namespace pov
+}  // namespace pov
 
 #endif

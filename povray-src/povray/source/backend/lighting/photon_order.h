@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file photon_order.h
-/// Makes photon maps independent of threads, whose order their tree and sums of light depend on.
+/// Makes photon maps, their tree and sums of light, independent of the order of threads.
 
 #ifndef POVRAY_BACKEND_PHOTON_ORDER_H
 #define POVRAY_BACKEND_PHOTON_ORDER_H
@@ -12,7 +12,7 @@ namespace pov
 
 class PhotonMap;
 
-/// Sorts the photons of a map before it becomes a tree. Resets the C library's random numbers, from which its density is estimated.
+/// Call before a map becomes a tree. Resets the C library's random numbers.
 void OrderPhotons(PhotonMap& map);
 
 } // namespace pov

@@ -24,7 +24,7 @@ using tilt_lens::Vec3;
 namespace
 {
 
-/// Cosine of the angle up to which a camera's sky counts as a leaned scene's sky.
+/// Cosine of the largest angle between skies that count as one.
 const double kSameSky = 0.7;
 
 void RequireOneMeaning(const Camera& camera)
@@ -94,7 +94,6 @@ void RequireOneLens(const Camera& camera)
         Refuse("%s and prescription in one camera: the lens of glass has aberrations of its own. Remove %s.", word, word);
 }
 
-/// A lens with a placed film is focused before it is turned.
 void RequireFilm(const Statement& s)
 {
     if (!s.filmDistance && !s.focusScale)
@@ -109,7 +108,6 @@ void RequireFilm(const Statement& s)
                *s.filmDistance);
 }
 
-/// A blur limit needs sharp points, and excludes other apertures.
 void RequireSharpPoints(const Camera& camera)
 {
     const TiltLensCamera& lens = camera.TiltLens;
@@ -131,7 +129,6 @@ void RequireSharpPoints(const Camera& camera)
                word, limit, s.fStop ? "f_stop" : "aperture", s.fStop ? *s.fStop : camera.Aperture, word, s.fStop ? "f_stop" : "aperture");
 }
 
-/// A budget needs pixels that may take more rays than others, and nothing else may say how many.
 void RequireFreeSamples(const Camera& camera)
 {
     const double budget = camera.TiltLens.statement.budget;

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file camera_checks.h
-/// Checks a `tilt_lens` block against its camera. Require...() throw tilt_lens::OpticsError; the others return a warning or an empty
-/// string.
+/// Checks a `tilt_lens` block against its camera. Require...() throw tilt_lens::OpticsError; the others return a warning, or "".
 
 #ifndef POVRAY_BACKEND_CAMERA_CHECKS_H
 #define POVRAY_BACKEND_CAMERA_CHECKS_H
@@ -17,14 +16,11 @@ namespace pov
 
 void RequireConsistent(const Camera& camera);
 
-/// `variance` and `confidence`; other cameras get a warning and the default.
 void RequireQuality(const CameraDraft& draft, double budget);
 
-/// Tilt and swing turn the plane of sharp focus about this point.
 void RequireFocalPoint(const TiltLensCamera& lens);
 
-/// Tilt_Lens_Facade cannot see the camera's handedness.
-/// @param across  from the lower left to the lower right corner
+/// @param across  lower left to lower right corner
 void RequireFacade(const tilt_lens::Vec3& across, const tilt_lens::Vec3& right);
 
 std::string FocalPointWarning(const Camera& camera);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file item_reader.h
-/// Reads the values of an item of `tilt_lens { ... }`. Missing or wrong values throw tilt_lens::OpticsError.
+/// Reads values of `tilt_lens { ... }`. Missing or wrong values throw tilt_lens::OpticsError.
 
 #ifndef POVRAY_BACKEND_ITEM_READER_H
 #define POVRAY_BACKEND_ITEM_READER_H
@@ -32,15 +32,14 @@ class ItemReader
 
     void Read(TiltLensCamera& lens);
 
-    /// @param name  in messages
     double Number(const std::string& name, const NumberRange& range);
     tilt_lens::Vec3 Vector();
-    /// A number or a vector. @return  its length
+    /// A number or a vector; returns its length.
     int Numbers(const std::string& name, EXPRESS values);
     bool NextIsComma();
 };
 
-/// @name Items read by special_items.cpp.
+/// @name Read by special_items.cpp.
 /// @{
 void ReadShift(ItemReader& reader, TiltLensCamera& lens);
 void ReadPrescription(ItemReader& reader, TiltLensCamera& lens);

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file macro_arguments.cpp
-/// Checks the arguments of tilt_lens.inc's macros. The scene language cannot ask for a value's type, so a macro would fail half-way, with
-/// an error about operators.
+/// Checks arguments of tilt_lens.inc's macros, since the scene language cannot ask for a value's type.
 
 #include "backend/parser/parse_tilt_lens.h"
 
@@ -20,7 +19,7 @@ namespace pov
 namespace
 {
 
-/// A parameter of any macro of the file; others take numbers.
+/// Parameters not listed take numbers.
 struct Parameter
 {
     const char* name;
@@ -73,7 +72,7 @@ const char* KindOf(int token)
     }
 }
 
-/// As everywhere in the language, a number may stand for a point.
+/// A number may stand for a point.
 bool IsAllowed(const char* found, const char* wanted)
 {
     return found == wanted || (wanted == kVector && found == kNumber.kind) || (wanted == kPair && found == kVector);

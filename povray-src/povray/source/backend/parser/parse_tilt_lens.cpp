@@ -82,7 +82,6 @@ CameraDraft& TiltLensParser::Draft(const Camera& camera)
     return parser.Camera_Drafts[&camera];
 }
 
-/// The call of the running macro of tilt_lens.inc, or nothing.
 std::optional<TiltLensPlace> TiltLensParser::Call() const
 {
     std::optional<TiltLensPlace> place;
@@ -205,7 +204,6 @@ bool TiltLensParser::ParseItem(TiltLensCamera& lens)
         parser.Unget_Token();
         return false;
     }
-    // by spelling, even if the scene has declared the name
     const std::string word = parser.Token.Token_String;
     const TiltLensItem* const item = parser.Token.Token_Id == STRING_LITERAL_TOKEN ? NULL : FindTiltLensItem(word);
     At(Here(), [&] // a value may end lines later
@@ -236,7 +234,7 @@ void TiltLensParser::RefuseWord(const std::string& word)
     Refuse("Unknown word '%s' in tilt_lens; did you mean '%s'? Known are %s.", word.c_str(), NearestTiltLensItem(word).word, names.c_str());
 }
 
-/// A macro runs as soon as its name is read, even where an item's word is wanted.
+/// A macro runs as soon as its name is read.
 std::vector<SYM_ENTRY*> TiltLensParser::MacrosNamedAsItems()
 {
     std::vector<SYM_ENTRY*> macros;
@@ -337,7 +335,7 @@ void TiltLensParser::CheckBlock(Camera& camera)
         if (!hasFocus)
             RequireFocalPoint(lens);
     });
-    if (!hasFocus) // everything is sharp: any point in front will do
+    if (!hasFocus) // any point in front will do
         lens.statement.focalPoint = FromPov(camera.Location) + FromPov(camera.Direction);
     // stock shows no blur without blur_samples
     if (camera.Blur_Samples == 0)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file special_items.cpp
-/// Items of `tilt_lens { ... }` whose values are not numbers with commas between them.
+/// Items of `tilt_lens { ... }` whose values are not numbers with commas.
 
 #include "backend/parser/item_reader.h"
 
@@ -33,7 +33,7 @@ using tilt_lens::Vec3;
 namespace
 {
 
-/// Parse_Begin and Parse_End would name the word by its token, which the block's words lack.
+/// Parse_Begin and Parse_End would name the word by its token, which it lacks.
 void ReadBrace(Parser& parser, int brace, const char* sign)
 {
     parser.Get_Token();
@@ -45,7 +45,7 @@ void ReadBrace(Parser& parser, int brace, const char* sign)
            found.c_str());
 }
 
-/// Also `focus_on` or `focus_at` with its value, unless the scene has declared that name.
+/// Also `focus_on` or `focus_at`, unless declared by the scene.
 Vec3 ReadPoint(ItemReader& reader, std::vector<FocusTarget>& targets)
 {
     TiltLensCamera other;
@@ -60,7 +60,7 @@ Vec3 ReadPoint(ItemReader& reader, std::vector<FocusTarget>& targets)
     return isTarget ? Vec3() : reader.Vector();
 }
 
-/// File size limit, bytes; the largest collections of lenses have a tenth of it.
+/// Bytes; the largest collections of lenses have a tenth.
 const std::size_t kMostBytes = 4u << 20;
 
 /// `FILE#NAME` chooses a lens of a JSON collection.
@@ -122,7 +122,7 @@ void ReadShift(ItemReader& reader, TiltLensCamera& lens)
 {
     EXPRESS v;
     const int terms = reader.Numbers("shift", v);
-    // a number promoted to both directions is surely an error
+    // one number would mean both directions
     if (!(terms == 2 || (terms == 3 && v[Z] == 0.0)))
         Refuse("shift in tilt_lens: found a value of %d numbers. It takes two, in millimetres; write it as <right, up>.", terms);
     if (!std::isfinite(v[X]) || !std::isfinite(v[Y]))

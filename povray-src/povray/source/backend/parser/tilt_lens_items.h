@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file tilt_lens_items.h
-/// The table of the items of `tilt_lens { ... }`: the one place to add an item. Tests compare it with manual, editors and fuzzer.
+/// The items of `tilt_lens { ... }`. Tests compare them with manual, editors and fuzzer.
 
 #ifndef POVRAY_BACKEND_TILT_LENS_ITEMS_H
 #define POVRAY_BACKEND_TILT_LENS_ITEMS_H
@@ -30,13 +30,13 @@ struct ItemNumber
 {
     NumberRange range;
     void (*set)(TiltLensCamera& lens, double value);
-    const char* name = NULL;  ///< in messages; NULL: the item's word
+    const char* name = NULL;  ///< NULL: the item's word
 };
 
 struct TiltLensItem
 {
     const char* word;
-    const char* values;  ///< as in the manual, by units or types
+    const char* values;  ///< for the manual, by units or types
     const char* example;
     std::vector<ItemNumber> numbers;  ///< all but the first are optional
     void (*read)(ItemReader& reader, TiltLensCamera& lens) = NULL;
@@ -46,21 +46,18 @@ struct TiltLensItem
     std::string Example() const;
 };
 
-/// In the order of messages.
 extern const std::vector<TiltLensItem> kTiltLensItems;
 
-/// NULL: there is none.
 const TiltLensItem* FindTiltLensItem(const std::string& word);
 
-/// Nearest by Levenshtein distance, ignoring case.
+/// By Levenshtein distance, ignoring case.
 const TiltLensItem& NearestTiltLensItem(const std::string& word);
 
-/// Probably meant as `tilt_lens`.
 bool LooksLikeTiltLens(const std::string& word);
 
 std::string TiltLensItemNames();
 
-/// Camera items that users expect inside the block.
+/// Users expect these inside the block.
 bool IsCameraWord(const std::string& word);
 
 } // namespace pov

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file chief_camera_ray.h
-/// Chief rays of any camera and their first hits, for picture layers and focus aids.
+/// Chief rays of any camera and their first hits.
 
 #ifndef POVRAY_BACKEND_CHIEF_CAMERA_RAY_H
 #define POVRAY_BACKEND_CHIEF_CAMERA_RAY_H
@@ -17,11 +17,10 @@ class Camera;
 class Ray;
 class TracePixel;
 
-/// Chief ray through a pixel's centre.
-/// @return  false if there is none
+/// False: there is none.
 bool MakeChiefRay(TracePixel& trace, Ray& ray, DBL x, DBL y, DBL width, DBL height);
 
-/// Distance along a unit ray to the first visible surface, or HUGE_VAL.
+/// Distance along a unit ray, or HUGE_VAL.
 DBL FirstHit(Trace& trace, const Camera& camera, const Ray& ray);
 
 /// @param x, y  film point

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file forget_rays.cpp
-/// Clears caches that may change the next ray's result, and seeds random numbers by sample: pixels with `tilt_lens` depend on the scene
-/// alone.
+/// Clears caches that may change the next ray's result: pixels with `tilt_lens` depend on the scene alone.
 
 #include <algorithm>
 

@@ -10,7 +10,7 @@
 #include "backend/shape/polygon.h"
 #include "backend/shape/triangle.h"
 
-// this must be the last file included
+// must be last
 #include "base/povdebug.h"
 
 namespace pov

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file light_path.h
-/// Length of a camera ray's path through flat mirrors and panes, which preserve vergences: a mirrored lamp is blurred as at the path's
-/// end. The path ends at curved surfaces.
+/// Length of a camera ray's path through flat mirrors and panes, which preserve vergences.
 
 #ifndef TILT_LENS_LIGHT_PATH_H
 #define TILT_LENS_LIGHT_PATH_H
@@ -13,8 +12,7 @@
 namespace pov
 {
 
-/// Follows TraceRay's recursion. A path continues with a secondary ray that brings at least half of the light, or with any if all are
-/// black.
+/// Follows TraceRay's recursion along rays that bring at least half of the light, or any if all are black.
 class LightPath
 {
   public:
@@ -25,7 +23,6 @@ class LightPath
         double light = 0.0, length = 0.0;
     };
 
-    /// @return  argument for End()
     Brightest Begin()
     {
         const Brightest outer = brightest;
@@ -33,9 +30,8 @@ class LightPath
         return outer;
     }
 
-    /// @param hit       object, or NULL
+    /// @param hit       may be NULL
     /// @param distance  scene units
-    /// @param weight    as in TraceRay
     void End(Brightest outer, const ObjectBase* hit, double distance, const Colour& colour, double weight)
     {
         const double light = weight * colour.greyscale();
@@ -43,7 +39,7 @@ class LightPath
         brightest = light >= outer.light ? Brightest{light, length} : outer;
     }
 
-    /// Length of the last path, scene units; HUGE_VAL without a surface.
+    /// Scene units; HUGE_VAL without a surface.
     double Length() const { return length; }
 
   private:

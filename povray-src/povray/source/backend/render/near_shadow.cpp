@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file near_shadow.cpp
-/// Shadows near their casters. POV-Ray ignores objects nearer than 0.001 units to a shaded point, except the cached last occluder.
-/// Pictures with `tilt_lens` have no such cache, and test all objects that it could hold.
+/// POV-Ray ignores shadow casters nearer than 0.001 units, except the cached last occluder. With `tilt_lens`, all objects that the cache
+/// could hold are tested.
 
 #include <algorithm>
 

@@ -53,7 +53,7 @@ class LayerBlock
     std::vector<POVMSFloat> values;
 };
 
-/// First hit of the ray through a pixel's centre, even on a transparent surface.
+/// First hit, even on a transparent surface.
 /// @param[out] point  world coordinates
 /// @param[out] depth  along the camera's axis if it has one, else the ray's length
 bool FirstPoint(TracePixel& trace, const ViewData& view, unsigned int x, unsigned int y, Vec3& point, DBL& depth)

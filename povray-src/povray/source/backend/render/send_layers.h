@@ -21,11 +21,10 @@ struct TiltLensEffort
     double variance;  ///< see TileSampler::Variance()
 };
 
-/// Sends the camera's numbers to the front end, if layers are wanted (base/picture_layers.h).
 void StartLayers(ViewData& view, POVMS_Object& options);
 
-/// Sends first hits through pixel centres, and effort, if layers are wanted. Call before the tile's colours are sent.
-/// @param effort  row by row; empty for a tile that was not sampled
+/// Call before the tile's colours are sent.
+/// @param effort  row by row; empty if not sampled
 void SendLayers(TracePixel& trace, ViewData& view, const POVRect& rect, const std::vector<TiltLensEffort>& effort = {});
 
 } // namespace pov

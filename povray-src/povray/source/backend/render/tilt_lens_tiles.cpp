@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file tilt_lens_tiles.cpp
-/// Renders the tiles of a picture with `tilt_lens` in one thread.
+/// Renders tiles with `tilt_lens` in one thread.
 
 #include <algorithm>
 #include <functional>
@@ -26,13 +26,12 @@ namespace pov
 namespace
 {
 
-/// Takes part in the choice of the variance for the picture's budget.
 void RunPilot(TiltLensTracer& tracer, RadiosityFunction& radiosity, bool apart, const std::function<void()>& cooperate)
 {
     const auto trace = [&](const tilt_lens::SampleRun& run, tilt_lens::SampleResult* results) { tracer.samples.Trace(run, results); };
     while (const auto task = tracer.view->pilot->NextTask())
     {
-        // light found here counts for no tile whose pixels may not depend on others
+        // reproducible pixels must not depend on light found here
         radiosity.BeforeTile(apart ? -1 - int(task->block) : 0);
         tracer.view->pilot->Take(*task, trace);
         radiosity.AfterTile();
@@ -40,7 +39,6 @@ void RunPilot(TiltLensTracer& tracer, RadiosityFunction& radiosity, bool apart, 
     }
 }
 
-/// Traces test pixels, shared among threads, to weight the progress display.
 void EstimateWork(TiltLensTracer& tracer)
 {
     static_assert(tilt_lens::settings.probeSamples <= tilt_lens::settings.cameraRaysOfBatch, "they are one run");
@@ -60,7 +58,7 @@ void EstimateWork(TiltLensTracer& tracer)
     }
 }
 
-/// @param alone   share no samples with other tiles: pixels depend on the order of tracing
+/// @param alone           shares no samples with other tiles
 /// @param pixels, effort  row by row
 void TraceTile(TiltLensTracer& tracer, const ViewData& view, const POVRect& rect, bool alone, std::vector<Colour>& pixels,
                std::vector<TiltLensEffort>& effort)
@@ -95,7 +93,7 @@ void TraceTile(TiltLensTracer& tracer, const ViewData& view, const POVRect& rect
 
 } // namespace
 
-/// Final render; replaces all anti-aliasing methods.
+/// Replaces all anti-aliasing methods.
 void TraceTask::TiltLensSampling()
 {
     POVRect rect;

@@ -131,7 +131,7 @@ void TiltLensTracer::EnterInteriors(Ray& ray) const
     }
 }
 
-/// Called after the constructor, which runs before that of media.
+/// Not in the constructor, which runs before that of media.
 void TiltLensTracer::LeadGenerators()
 {
     trace.crandSeeds.Follow(*this);

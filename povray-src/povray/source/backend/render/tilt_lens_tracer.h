@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file tilt_lens_tracer.h
-/// Bridge from the camera library to POV-Ray's tracing. A friend of TracePixel, since tracing needs private members.
+/// Bridge from the camera library to POV-Ray's tracing; a friend of TracePixel.
 
 #ifndef POVRAY_BACKEND_TILT_LENS_TRACER_H
 #define POVRAY_BACKEND_TILT_LENS_TRACER_H
@@ -33,18 +33,16 @@ class TiltLensTracer : private SampleSeedSource, private tilt_lens::RayTracer
     /// @return       NULL without a lens with an aperture
     static shared_ptr<TiltLensTracer> Create(TracePixel& owner, const shared_ptr<TiltLensView>& view);
 
-    /// @return  NULL: none
+    /// May be NULL.
     static TiltLensTracer* Of(const TracePixel& owner);
 
     const shared_ptr<TiltLensView> view;
     tilt_lens::SampleTracer samples;
     AreaLightSampler areaLights;
 
-    /// Takes a few samples of a pixel for a preview, one for a radiosity pretrace.
     void TracePreview(DBL x, DBL y, DBL width, DBL height, Colour& colour);
 
-    /// Follows one ray of a pixel, with whole grids of area lights.
-    /// @return  distance to its hit
+    /// With whole grids of area lights; returns the distance to the hit.
     DBL TraceAlone(const Ray& ray, unsigned int x, unsigned int y, Colour& colour);
 
     const Camera& GetCamera() const;
@@ -53,7 +51,7 @@ class TiltLensTracer : private SampleSeedSource, private tilt_lens::RayTracer
   private:
     TracePixel& trace;
     tilt_lens::SampleTracer plainSamples;
-    const bool interiorsVary;  ///< true if rays start in different objects' interiors
+    const bool interiorsVary;  ///< rays start in different objects' interiors
 
     const tilt_lens::PixelSampler* pixel = NULL;
     unsigned int index = 0;

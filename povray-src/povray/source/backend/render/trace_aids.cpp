@@ -27,7 +27,7 @@ Colour AidPixel(TracePixel& trace, DBL x, DBL y, DBL width, DBL height)
     const DBL distance = aids.NeedsLight() ? tracer.TraceAlone(ray, (unsigned int)(int)x, (unsigned int)(int)y, colour)
                                            : FirstHit(trace, camera, ray);
 
-    // the camera's normal may have deflected the ray, but blur depends on depth along the axis
+    // blur depends on depth along the axis, even if the camera's normal deflects the ray
     const tilt_lens::Vec3& axis = tracer.view->camera.lens->Solved().axis;
     const double before = Dot(FromPov(ray.Origin) - FromPov(camera.Location), axis);  // 0 but for glass
     const double depth = before + distance * Dot(FromPov(ray.Direction), axis);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file trace_aids.h
-/// Pictures with focus aids: one ray per pixel, through the lens centre.
+/// Focus aids: one ray per pixel, through the lens centre.
 
 #ifndef POVRAY_BACKEND_TRACE_AIDS_H
 #define POVRAY_BACKEND_TRACE_AIDS_H
@@ -21,7 +21,7 @@ class ViewData;
 /// @param x, y  pixel; between pixels in a radiosity pretrace
 Colour AidPixel(TracePixel& trace, DBL x, DBL y, DBL width, DBL height);
 
-/// Appends a tile's pixels, row by row.
+/// Appends row by row.
 void TraceAidTile(TracePixel& trace, const ViewData& view, const POVRect& rect, std::vector<Colour>& pixels);
 
 } // namespace pov

@@ -132,7 +132,6 @@ std::string Words(const std::set<std::string>& words)
     return "[" + text + "]";
 }
 
-/// A point or plane replaces the film's position, the f-number found replaces sharpWithin.
 Statement WithFocus(const Camera& camera)
 {
     Statement s = camera.TiltLens.statement;
@@ -158,7 +157,6 @@ Statement WithFocus(const Camera& camera)
     return s;
 }
 
-/// Takes a glass lens's focal length when focused.
 Statement Ideal(const Camera& camera, const Statement& s)
 {
     return IdealStatement(WithGroups(s, camera.TiltLens.lens ? camera.TiltLens.lens->groups : 0.0));
@@ -214,7 +212,7 @@ void FinishCameraRecord(Camera& view, shared_ptr<SceneData> scene, double width)
         {
             FindFocus(recorded.camera, scene, width);
         }
-        catch (const tilt_lens::OpticsError&)  // reported only for the picture's camera
+        catch (const tilt_lens::OpticsError&)  // reported for the picture's camera
         {
         }
         text += (text.back() == '[' ? "\n" : ",\n") + ("{\"file\": " + Text(recorded.end.file)) +

@@ -37,7 +37,7 @@ const int kSteps = 50;
 
 const double kEndless = 0.25 * BOUND_HUGE;
 
-/// Relative distance of two points that count as equal.
+/// Relative distance of equal points.
 const double kSamePoint = 1e-9;
 
 std::string Text(const Vec3& v)
@@ -95,7 +95,7 @@ Vec3 Finder::OnObject(const FocusTarget& target)
     const Vec3 across = Cross(Normalized(way), aside);
     for (int i = 0; i <= kRaysAround; i++)
     {
-        // a spiral with one ray per equal part of the disc around the box (H. Vogel, 1979)
+        // a spiral with one ray per equal part of the disc (H. Vogel, 1979)
         const double radius = Length(half) * std::sqrt(double(i) / kRaysAround), turn = i * M_PI * (3.0 - std::sqrt(5.0));
         const auto hit = Hit(target.object.get(), way + radius * std::cos(turn) * aside + radius * std::sin(turn) * across);
         if (hit)
@@ -161,7 +161,7 @@ std::string Found(TiltLensCamera& block)
     return text;
 }
 
-/// @return  true if focus and angle of view agree
+/// True if focus and angle of view agree.
 bool FindInPicture(Finder& finder, Camera& camera)
 {
     TiltLensCamera& block = camera.TiltLens;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file focus_target.h
-/// Autofocus: finds the points of `focus_on` and `focus_at` by rays.
+/// Autofocus by rays.
 
 #ifndef POVRAY_BACKEND_FOCUS_TARGET_H
 #define POVRAY_BACKEND_FOCUS_TARGET_H
@@ -18,17 +18,14 @@ namespace pov
 
 class SceneData;
 
-/// Completes the camera's statement, and solves its lens.
+/// Completes the camera's statement and solves its lens; returns warnings.
 ///
-/// - Object: first intersection with the ray from the lens centre to its bounding box's centre, even behind other objects; else the next
-///   of 1024 rays around it, by growing angle.
-/// - Place in the picture: first intersection of its chief ray with a visible surface, transparent or not. Iterated if focusing changes
-///   the angle of view.
+/// - Object: first hit towards its bounding box's centre, even behind other objects; else the next of 1024 rays around it.
+/// - Place in the picture: first hit of its chief ray, transparent or not. Iterated if focusing changes the angle of view.
 ///
 /// @param scene  completely parsed
-/// @param width  of the whole picture, pixels
+/// @param width  whole picture, pixels
 /// @throws tilt_lens::OpticsError  a ray hits no object, an object is infinite, or no lens fits
-/// @return  warnings
 std::vector<std::string> FindFocus(Camera& camera, shared_ptr<SceneData> scene, double width);
 
 } // namespace pov

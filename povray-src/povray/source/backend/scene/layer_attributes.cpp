@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file layer_attributes.cpp
-/// Names and meanings are those of OpenEXR's list (openexr.com, "Standard Attributes"); others begin with "tiltLens:".
+/// Names are those of OpenEXR's list (openexr.com, "Standard Attributes"); others begin with "tiltLens:".
 
 #include "backend/scene/layer_attributes.h"
 
@@ -25,7 +25,7 @@ std::vector<double> Numbers(const Vec3& v)
     return {v.x, v.y, v.z};
 }
 
-/// The camera's axes, and its window at distance 1 along z.
+/// Camera's axes, and window at distance 1.
 struct Window
 {
     Vec3 x, y, z;
@@ -45,7 +45,7 @@ struct Window
     }
 };
 
-/// A matrix for row vectors; its columns yield x, y, z and w.
+/// For row vectors.
 std::vector<double> Matrix(const Vec3& location, const Vec3& x, const Vec3& y, const Vec3& z, const Vec3& w, double wOffset)
 {
     const double offsets[4] = {-Dot(location, x), -Dot(location, y), -Dot(location, z), wOffset - Dot(location, w)};

@@ -23,15 +23,15 @@ struct LayerAttribute
     std::vector<double> values;  ///< 1, 2, 3 or 16 numbers (matrix row by row, for row vectors)
 };
 
-/// True if depth is measured along the axis (perspective and orthographic cameras); else it is the ray's length.
+/// False: depth is the ray's length.
 bool HasDepthAxis(const Camera& camera);
 
-/// Unit normal of the film, into the scene.
+/// Film's unit normal, into the scene.
 tilt_lens::Vec3 DepthAxis(const Camera& camera);
 
 /// Empty for cameras that are not perspective.
-/// @param camera  as rendered: shift and angle of view are in its direction
-/// @param width   of the whole picture, pixels
+/// @param camera  as rendered
+/// @param width   whole picture, pixels
 std::vector<LayerAttribute> LayerAttributesOf(const Camera& camera, unsigned int width);
 
 } // namespace pov

@@ -23,7 +23,7 @@ namespace pov
 namespace
 {
 
-/// Half the lens's extent along a world axis; an aperture picture fills the square around the disc.
+/// Along a world axis; an aperture picture fills the square around the disc.
 double HalfExtent(double x, double y, bool square)
 {
     return square ? std::fabs(x) + std::fabs(y) : std::hypot(x, y);
@@ -35,7 +35,7 @@ struct LensBox
     double low[3], high[3];
 };
 
-/// Box around a glass lens's first surface, where rays start.
+/// Rays start on the first surface.
 LensBox BoxOfGlass(const Camera& camera, const tilt_lens::SolvedLens& lens)
 {
     const tilt_lens::GlassLens::Front front = lens.glass->FrontBox();
@@ -111,7 +111,7 @@ std::vector<ObjectAroundLens> ObjectsAroundLens(const Camera& camera, const tilt
         const bool plane = dynamic_cast<const Plane*>(object) != NULL;
         const int inside = plane || IsConvexSolid(*object) ? CornersInside(box, *object) : 0;
         if (plane && inside == 0)
-            continue;  // a plane's box is all of space; its outside is convex, so it contains no point of the lens's box
+            continue;  // a plane's outside is convex, so it contains no point of the lens's box
         objects.push_back({object, inside == 8});
     }
     return objects;

@@ -18,10 +18,10 @@ class SceneData;
 struct ObjectAroundLens
 {
     ObjectPtr object;
-    bool holdsLens;  ///< contains the whole lens; else test each ray
+    bool holdsLens;  ///< holds all of it; else test each ray
 };
 
-/// Objects with interior that may contain a part of the lens, in the scene's order.
+/// Objects with interior around a part of the lens, in the scene's order.
 std::vector<ObjectAroundLens> ObjectsAroundLens(const Camera& camera, const tilt_lens::SolvedLens& lens, const SceneData& scene);
 
 } // namespace pov

@@ -17,7 +17,7 @@ inline double BrightestOf(const RGBColour& colour)
     return std::max({0.0, double(colour[pRED]), double(colour[pGREEN]), double(colour[pBLUE])});
 }
 
-/// Calls `visit(texture)` with each texture that has a pigment and a finish of its own: layers, and entries of maps and of lists.
+/// Visits layers, and entries of maps and of lists.
 template<typename Visit>
 void ForEachPlainTexture(const TEXTURE* texture, const Visit& visit)
 {

@@ -18,7 +18,7 @@ namespace pov
 class TiltLensAids
 {
   public:
-    /// @param display  converts the scene's colours to a display's, or is neutral
+    /// @param display  converts the scene's colours to a display's
     TiltLensAids(const tilt_lens::FocusAids& aids, const shared_ptr<const tilt_lens::LensCamera>& camera, int width, int height,
                  pov_base::GammaCurvePtr display);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file tilt_lens_camera.h
-/// The `tilt_lens` block in POV-Ray's Camera: statement, place in the scene file, and camera transformations.
+/// The `tilt_lens` block in POV-Ray's Camera.
 
 #ifndef POVRAY_BACKEND_TILT_LENS_CAMERA_H
 #define POVRAY_BACKEND_TILT_LENS_CAMERA_H
@@ -30,7 +30,7 @@ inline tilt_lens::Vec3 FromPov(const VECTOR v)
     return {v[X], v[Y], v[Z]};
 }
 
-/// @param trans  NULL leaves the point where it is
+/// @param trans  may be NULL
 tilt_lens::Vec3 TransformedPoint(const tilt_lens::Vec3& p, const TRANSFORM* trans);
 
 struct TiltLensPlace
@@ -39,14 +39,13 @@ struct TiltLensPlace
     POV_LONG line = 0, column = 0, offset = 0;
 };
 
-/// Items of the statement, for a block behind the camera's identifier.
+/// For a block behind the camera's identifier.
 struct CameraItems
 {
     bool angle = false, aperture = false, variance = false;
-    bool focalPoint = false;  ///< `focal_point` or `look_at`: the statement's focalPoint
+    bool focalPoint = false;  ///< `focal_point` or `look_at`
 };
 
-/// A point in focus, found by a ray after parsing.
 struct FocusTarget
 {
     enum Kind
@@ -57,7 +56,7 @@ struct FocusTarget
     } kind = NotUsed;
     std::string name;
     shared_ptr<ObjectBase> object;
-    double x = 0.0, y = 0.0;       ///< in the picture: from the lower left corner, 0 to 1
+    double x = 0.0, y = 0.0;       ///< from the lower left corner, 0 to 1
     tilt_lens::Vec3 found;         ///< world
 
     std::string Written() const;
@@ -65,33 +64,33 @@ struct FocusTarget
 
 struct TiltLensCamera
 {
-    bool given = false;  ///< true if the camera has a `tilt_lens` block; else only `items`, focalPoint and scale are used
+    bool given = false;  ///< else only `items`, focalPoint and scale are used
     CameraItems items;
-    TiltLensPlace place; ///< the block's first word
+    TiltLensPlace place;
     std::set<std::string> words;
     tilt_lens::Statement statement;
     tilt_lens::FocusAids aids;
 
     FocusTarget focusTarget;                ///< replaces the statement's focalPoint
-    std::vector<FocusTarget> pointTargets;  ///< replace its points or sharpPoints; may be empty
+    std::vector<FocusTarget> pointTargets;  ///< replace its points or sharpPoints
 
-    /// `sharp_within`; becomes the statement's sharpWithin by the picture's width.
+    /// Becomes the statement's sharpWithin by the picture's width.
     std::optional<double> sharpWithinPixels;
 
-    /// False before FindFocus() (focus_target.h).
+    /// False before FindFocus().
     bool IsComplete() const;
 
     tilt_lens::Vec3& TargetPoint(std::size_t i);
 
-    /// The item that sets the aperture by the blur of sharp_points, or NULL.
+    /// Item that limits the blur of sharp_points, or NULL.
     const char* BlurLimitWord() const;
 
-    /// NULL before the end of a camera statement, before the focus is found, and after a transformation.
+    /// NULL before the focus is found, and after a transformation.
     shared_ptr<const tilt_lens::SolvedLens> lens;
 
     void Transform(const TRANSFORM* trans);
 
-    /// @throws tilt_lens::OpticsError  says where the camera was transformed
+    /// @throws tilt_lens::OpticsError
     static void Solve(Camera& camera);
 };
 

@@ -44,7 +44,7 @@ double LightOf(const TEXTURE* texture, const RGBColour& ambientLight)
 }
 
 /// Bounding sphere, relative to the camera's location.
-/// @param light, around  radiance of the object, greatest radiance around it
+/// @param around  radiance around the object
 tilt_lens::Emitter EmitterOf(ObjectPtr object, const Camera& camera, double light, double around)
 {
     const Vec3 location = FromPov(camera.Location);
@@ -62,7 +62,7 @@ bool IsInfinite(ObjectPtr object)
     return object->BBox.Lengths[X] > CRITICAL_LENGTH;
 }
 
-/// Greatest radiance of background and infinite objects, where no light source lights the scene. White if there is a sky or fog.
+/// Greatest radiance without light sources; white if there is a sky or fog.
 double RadianceOfBackground(const SceneData& scene)
 {
     double brightest = BrightestOf(RGBColour(scene.backgroundColour));
@@ -73,8 +73,8 @@ double RadianceOfBackground(const SceneData& scene)
     return sky ? std::max(brightest, tilt_lens::settings.greatestLitRadiance) : brightest;
 }
 
-/// Radiance above which an object outshines its surroundings: lit surfaces, or the background where nothing is lit. At most white. With
-/// radiosity all objects light the scene, and it is white.
+/// Above this radiance, an object outshines lit surfaces, or the background where nothing is lit. With radiosity all objects light the
+/// scene, so it is white.
 double LeastRadiance(const SceneData& scene)
 {
     double lights = 0.0;
@@ -87,7 +87,7 @@ double LeastRadiance(const SceneData& scene)
     return std::min(around, tilt_lens::settings.greatestLitRadiance);
 }
 
-/// Calls `visit` with each object, and with the parts of unions in place of these.
+/// Visits the parts of unions in place of these.
 template<class Objects, class Visit>
 void ForEachObject(const Objects& objects, const Visit& visit)
 {

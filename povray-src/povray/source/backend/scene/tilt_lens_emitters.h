@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file tilt_lens_emitters.h
-/// The bright objects of a scene, for emitter sampling.
+/// Bright objects, for emitter sampling.
 
 #ifndef POVRAY_BACKEND_TILT_LENS_EMITTERS_H
 #define POVRAY_BACKEND_TILT_LENS_EMITTERS_H
@@ -18,9 +18,8 @@ namespace pov
 class Camera;
 class SceneData;
 
-/// Finite objects that outshine their surroundings by their own finish (`emission` and `ambient`, with the pigment), and their images in
-/// flat mirrors, relative to the camera's location. Parts of unions count separately, other CSG as a whole; textures by their brightest
-/// layer or entry. Errors of brightness only change the number of samples.
+/// Finite objects that outshine their surroundings by their own finish, and their images in flat mirrors, relative to the camera's
+/// location. Errors of brightness only change the number of samples.
 std::vector<tilt_lens::Emitter> EmittersOf(const SceneData& scene, const Camera& camera);
 
 }  // namespace pov

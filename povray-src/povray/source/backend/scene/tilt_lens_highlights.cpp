@@ -27,7 +27,7 @@ struct Gloss
     double peak = 0.0, exponent = 0.0;
 };
 
-/// The stronger of `specular` and `phong`. Phong's angle is that of the mirrored direction: twice that of the normal.
+/// The stronger of `specular` and `phong`. Phong's angle is twice that of the normal.
 Gloss GlossOf(const TEXTURE* texture)
 {
     Gloss gloss;

@@ -15,7 +15,7 @@ namespace pov
 class Camera;
 class SceneData;
 
-/// Adds the highlights (`specular` and `phong`) of all light sources on a sphere that is no ellipsoid; of other objects none.
+/// Adds highlights of all light sources, for spheres only.
 /// @param around  possible radiance around them
 void AddHighlights(ObjectPtr object, const SceneData& scene, const Camera& camera, double around,
                    std::vector<tilt_lens::Emitter>& emitters);

@@ -46,7 +46,7 @@ tilt_lens::FlatMirror PlaneMirror(const Plane& plane, const Vec3& location, doub
             reflectance};
 }
 
-/// Faces reflect on the side of the location, which may be within the box.
+/// Faces reflect towards the location, which may be within the box.
 void AddFaces(const Box& box, const Vec3& location, double reflectance, std::vector<tilt_lens::FlatMirror>& mirrors)
 {
     const Vec3 centre = TransformedPoint(0.5 * (FromPov(box.bounds[0]) + FromPov(box.bounds[1])), box.Trans);

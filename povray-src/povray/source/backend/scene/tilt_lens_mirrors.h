@@ -12,7 +12,7 @@
 namespace pov
 {
 
-/// Adds planes, and faces of boxes, whose texture reflects and has no `normal`; relative to a location. Other objects are no flat mirrors.
+/// Adds planes and boxes' faces that reflect without `normal`, relative to the location.
 void AddFlatMirrors(ObjectPtr object, const tilt_lens::Vec3& location, std::vector<tilt_lens::FlatMirror>& mirrors);
 
 } // namespace pov

@@ -41,7 +41,7 @@ std::string Text(const Vec3& v, double scale)
     return "<" + number(v.x) + ", " + number(v.y) + ", " + number(v.z) + ">";
 }
 
-/// Distance in scene units; "infinity" up to rounding, relative to the usual distance `scale`.
+/// Scene units; "infinity" up to rounding relative to `scale`.
 std::string Distance(double units, double scale)
 {
     return std::isfinite(units) && units < 1e12 * scale ? Line("%.6g units", units) : "infinity";
@@ -77,7 +77,7 @@ std::string FilmOf(const Camera& camera, const tilt_lens::Lens& lens)
            Line("    angle of view......%.4g by %.4g degrees", across, upright) + "\n";
 }
 
-/// Brightness by natural vignetting alone, relative to the centre.
+/// By natural vignetting alone, relative to the centre.
 double DarkestCorner(const TiltLensCamera& block)
 {
     tilt_lens::Character natural;
@@ -119,7 +119,7 @@ std::string CharacterOf(const TiltLensCamera& block)
     return text;
 }
 
-/// Cardinal points along the axis, from the front principal point: the camera's location.
+/// Positions along the axis, from the front principal point.
 std::string GlassOf(const tilt_lens::SolvedLens& lens, double filmWidth)
 {
     const tilt_lens::CardinalPoints& points = lens.glass->Cardinal();
@@ -143,7 +143,7 @@ std::string GlassOf(const tilt_lens::SolvedLens& lens, double filmWidth)
     return text;
 }
 
-/// Focus of the centres of the spectrum's thirds relative to the d line, for a distant object.
+/// Relative to the d line, for a distant object.
 std::string DispersionOf(const tilt_lens::SolvedLens& lens)
 {
     if (!lens.dispersion)
@@ -178,7 +178,7 @@ std::string FocusOf(const TiltLensCamera& block)
     return text;
 }
 
-/// Rounding of a sharp point's blur, pixels.
+/// Rounding, pixels.
 const double kSharp = 1e-6;
 
 std::string WithoutTilt(const Camera& camera, const tilt_lens::Lens& lens, double greatest, const std::function<std::string(double)>& blur)
@@ -242,7 +242,7 @@ std::string GroupsOf(const TiltLensCamera& block)
     return text;
 }
 
-/// A point of the plane: its intersection with the axis, if in front, else its nearest point.
+/// The plane's intersection with the axis, if in front, else its nearest point.
 std::string PlaneOf(const Camera& camera, const tilt_lens::Lens& lens)
 {
     const Vec3 location = FromPov(camera.Location);
@@ -256,7 +256,6 @@ std::string PlaneOf(const Camera& camera, const tilt_lens::Lens& lens)
            Line("    turned by..........%.4g degrees against the film\n", Tidy(FocusAngleOf(lens)));
 }
 
-/// The budget, the samples taken of it, and the speed from which a budget for another size follows.
 std::string BudgetOf(const TiltLensView& view, const tilt_lens::SamplingStatistics& statistics, double seconds)
 {
     if (!view.pilot)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file tilt_lens_report.h
-/// Report of a `tilt_lens` picture: the lens before the render, effort and noise after it.
+/// Report of a `tilt_lens` picture.
 
 #ifndef POVRAY_BACKEND_TILT_LENS_REPORT_H
 #define POVRAY_BACKEND_TILT_LENS_REPORT_H

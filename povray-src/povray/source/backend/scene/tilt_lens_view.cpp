@@ -164,17 +164,15 @@ tilt_lens::SamplingStatistics TiltLensView::Statistics() const
 
 void TiltLensView::AddProgress(POVMS_Object& message) const
 {
-    // without work in mosaic previews and radiosity's first pass; the addition makes a rounded sum of 1 read 100
+    // the addition makes a rounded sum of 1 read 100
     const std::optional<double> share = progress.Share();
     if (share && *share > 0.0)
     {
         message.SetInt(kPOVAttrib_TiltLensWork, int(100.0 * *share + 1e-6));
-        // includes pixels of a continued render
         message.SetInt(kPOVAttrib_PixelsCompleted, message.GetInt(kPOVAttrib_PixelsCompleted) + POVMSInt(pixelsBefore));
     }
 }
 
-/// Other cameras are only recorded for TILT_LENS_PREVIEW.
 void View::StartTiltLens(unsigned int& tracingmethod)
 {
     Camera& camera = viewData.camera;
@@ -225,7 +223,7 @@ void View::PlanTiltLensWork()
 {
     const POVRect& area = viewData.renderArea;
     tilt_lens::ProgressEstimator& progress = viewData.tiltLens->progress;
-    // test pixels would change a radiosity cache and the picture
+    // test pixels would change a radiosity cache
     const bool probing = !viewData.tiltLens->aids && !viewData.sceneData->radiositySettings.radiosityEnabled;
     progress.Plan({area.left, area.top, area.GetWidth(), area.GetHeight()}, probing);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file tilt_lens_view.h
-/// Data shared by all render threads of a `tilt_lens` picture: camera, sampling limits, blocks, statistics.
+/// Data shared by all render threads of a `tilt_lens` picture.
 
 #ifndef POVRAY_BACKEND_TILT_LENS_VIEW_H
 #define POVRAY_BACKEND_TILT_LENS_VIEW_H
@@ -41,32 +41,30 @@ inline tilt_lens::Area AreaOf(const POVRect& rect)
 class TiltLensView
 {
   public:
-    /// POV-Ray's tracing methods 0 to 2 are its kinds of anti-aliasing.
+    /// POV-Ray uses 0 to 2.
     static const unsigned int kTracingMethod = 3;
 
-    /// Makes shift and angle of view a part of the camera's `direction`.
-    /// @param camera  with a solved lens (TiltLensCamera::lens)
-    /// @return        NULL for an ideal pinhole, which POV-Ray's own camera renders
+    /// Shift and angle of view enter the camera's `direction`.
+    /// @param camera  with a solved lens
+    /// @return        NULL for an ideal pinhole
     /// @throws std::invalid_argument  a bokeh picture without light
     static shared_ptr<TiltLensView> Create(Camera& camera, ViewData& view);
 
-    /// For the parser, which knows file and line.
-    /// @throws tilt_lens::OpticsError  optical_vignetting leaves at most 1 per cent of the light in the picture's middle
+    /// @throws tilt_lens::OpticsError  optical_vignetting leaves at most 1 per cent of the light in the middle
     static void RequireLight(const Camera& camera, shared_ptr<SceneData> scene);
 
-    /// Checks that `budget` suffices for the first round of samples.
-    /// @throws tilt_lens::OpticsError
+    /// @throws tilt_lens::OpticsError  `budget` does not suffice for the first round of samples
     static void RequireBudget(const Camera& camera, shared_ptr<SceneData> scene);
 
     const tilt_lens::SampledCamera camera;
 
-    /// Chooses the variance for `budget`; NULL without it.
+    /// Chooses the variance for `budget`; else NULL.
     shared_ptr<tilt_lens::BudgetPilot> pilot;
 
-    /// Those of the picture, once the pilot, if any, has chosen the variance.
+    /// Call after the pilot.
     const tilt_lens::SamplingLimits& Limits() const;
 
-    /// The blocks being sampled; after the pilot.
+    /// Call after the pilot.
     tilt_lens::BlockCache& Blocks();
 
     const std::vector<ObjectAroundLens> aroundLens;
@@ -78,7 +76,7 @@ class TiltLensView
     /// Pixels of a continued render; set before the first tile.
     std::uint64_t pixelsBefore = 0;
 
-    /// Replace the lens's picture; may be NULL.
+    /// May be NULL.
     shared_ptr<const TiltLensAids> aids;
 
     /// @name Statistics of all tiles. Thread-safe.
@@ -87,7 +85,6 @@ class TiltLensView
     tilt_lens::SamplingStatistics Statistics() const;
     /// @}
 
-    /// Adds the finished share of the work, per cent, if known.
     void AddProgress(POVMS_Object& message) const;
 
   private:

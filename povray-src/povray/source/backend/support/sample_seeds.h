@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sample_seeds.h
-/// Seeds random generators by sample, so that pictures do not depend on the order of tracing: at a sample's first draw, since most draw
-/// nothing.
+/// Seeds random generators at a sample's first draw, so that pictures do not depend on the order of tracing.
 
 #ifndef POVRAY_BACKEND_SAMPLE_SEEDS_H
 #define POVRAY_BACKEND_SAMPLE_SEEDS_H
@@ -20,7 +19,7 @@ class SampleSeedSource
 
     virtual unsigned int Seed() const = 0;
 
-    /// Counts samples from 1; 0 between samples.
+    /// From 1; 0 between samples.
     std::size_t Sample() const { return sample; }
 
   protected:
@@ -37,8 +36,7 @@ class SampleSeeds
     /// @param itsSource  must outlive the last draw
     void Follow(const SampleSeedSource& itsSource) { source = &itsSource; }
 
-    /// Call before each draw.
-    /// @param state  set to the seed at the sample's first draw
+    /// Call before each draw; sets the state at the sample's first.
     template<class State>
     void Take(State& state)
     {

@@ -29,7 +29,7 @@ namespace OpenEXR
 namespace
 {
 
-/// A place in a file: OpenEXR 2 has its own type, OpenEXR 3 uint64_t.
+/// OpenEXR 2 has its own type, OpenEXR 3 uint64_t.
 using Place = decltype(std::declval<Imf::OStream&>().tellp());
 
 class FloatStream : public Imf::OStream
@@ -133,7 +133,7 @@ void WriteFloatImage(OStream& file, const Image& image, const Image::WriteOption
 {
     const unsigned int width = image.GetWidth(), height = image.GetHeight();
     const bool alpha = image.HasTransparency() && options.alphachannel;
-    // OpenEXR's convention is linear light and premultiplied colours; the user may override it
+    // OpenEXR's convention is linear light and premultiplied colours
     const bool premultiplied = options.premultiplyOverride ? options.premultiply : true;
     const GammaCurvePtr gamma = TranscodingGammaCurve::Get(options.workingGamma, NeutralGammaCurve::Get());
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file exr_float.h
-/// Writes OpenEXR files of 32-bit floats; POV-Ray's writer is limited to 16 bits.
+/// Writes OpenEXR files of 32-bit floats; POV-Ray's writer has 16 bits.
 
 #ifndef POVRAY_BASE_EXR_FLOAT_H
 #define POVRAY_BASE_EXR_FLOAT_H
@@ -22,18 +22,18 @@ namespace pov_base
 namespace OpenEXR
 {
 
-/// Fills one vector per channel, as long as the picture is wide, with a row counted from the top.
+/// Fills vectors, as long as the picture is wide, with a row counted from the top.
 typedef std::function<void(unsigned int row, std::vector<std::vector<float>>& channels)> FloatRows;
 
-/// File attributes: 1, 2, 3 or 16 numbers (matrix row by row).
+/// 1, 2, 3 or 16 numbers (matrix row by row).
 typedef std::map<std::string, std::vector<float>> FloatAttributes;
 
-/// Requests one row after the other, which keeps memory small. `screenWindowWidth` and `screenWindowCenter` become the header's fields.
+/// `screenWindowWidth` and `screenWindowCenter` become the header's fields.
 /// @throws pov_base::Exception  unwritable file
 void WriteFloats(OStream& file, unsigned int width, unsigned int height, const std::vector<std::string>& channels, const FloatRows& rows,
                  const FloatAttributes& attributes);
 
-/// Writes 32-bit colours; otherwise as POV-Ray's 16-bit writer.
+/// As POV-Ray's 16-bit writer.
 /// @throws pov_base::Exception  unwritable file
 void WriteFloatImage(OStream& file, const Image& image, const Image::WriteOptions& options);
 

@@ -11,7 +11,7 @@
 #include "backend/scene/threaddata.h"
 #include "backend/support/statistics.h"
 
-// this must be the last file included
+// must be last
 #include "base/povdebug.h"
 
 namespace pov
@@ -26,7 +26,7 @@ using tilt_lens::Float4;
 using tilt_lens::Float8;
 using tilt_lens::HasAvx2;
 
-/// @param box  enlarged by a few roundings, since its numbers are in single precision
+/// Enlarged by a few roundings, since the box is in single precision.
 BoxItem ItemOf(const BBOX& box, const void* what)
 {
     BoxItem item;
@@ -66,8 +66,8 @@ struct TwoConditions
     bool After(const Ray& ray, ObjectPtr object, DBL depth) const { return after(ray, object, depth); }
 };
 
-/// Find_Intersection() for an object whose box the ray met, but skips intersections behind the best.
-/// @param precedes  true if an intersection at the best's depth replaces it
+/// Find_Intersection() for an object whose box the ray met.
+/// @param precedes  replaces the best at equal depth
 /// @param hits      an empty stack; empty again afterwards
 template<class Conditions>
 TILT_LENS_INLINED bool FindNearer(ObjectPtr object, bool precedes, const Ray& ray, Intersection& best, const Conditions& conditions,
@@ -114,7 +114,6 @@ TILT_LENS_INLINED void RayInFrame(const Ray& ray, const MATRIX& inverse, VECTOR 
 }
 
 /// Same results as Mesh::intersect_mesh_triangle(), but rejects depths of `nearest` and beyond first.
-/// @param[out] depth  ray parameter at the triangle's plane
 TILT_LENS_INLINED bool MeetsTriangle(const MESH_DATA& data, const MESH_TRIANGLE& triangle, const VECTOR origin, const VECTOR direction,
                                      DBL nearest, DBL& depth)
 {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file scene_hierarchy.h
-/// Bounding hierarchies of a scene with `tilt_lens`: one of its objects, and one of each mesh's triangles. They find the same nearest
-/// intersection as stock's. At equal depth they find the scene's first object, as POV-Ray does without bounding (-MB).
+/// Bounding hierarchies of a scene's objects and of each mesh's triangles. At equal depth they find the scene's first object, as POV-Ray
+/// does without bounding (-MB).
 
 #ifndef SCENE_HIERARCHY_H
 #define SCENE_HIERARCHY_H
@@ -22,8 +22,8 @@ namespace pov
 class SceneHierarchy
 {
   public:
-    /// Makes hierarchies of all meshes, also of those in CSG, bounding and clipping objects.
-    /// @param all  the scene's objects; must outlive the hierarchy
+    /// Includes meshes in CSG, bounding and clipping objects.
+    /// @param all  must outlive the hierarchy
     explicit SceneHierarchy(const std::vector<ObjectPtr>& all);
 
     /// Call before Intersect().
@@ -32,14 +32,13 @@ class SceneHierarchy
     unsigned int FiniteObjects() const { return objects.size() - infinite.size(); }
     unsigned int InfiniteObjects() const { return infinite.size(); }
 
-    /// @param best  in: only nearer intersections count; out: the nearest
-    /// @return      true if there is one
+    /// False: none is nearer than `best`.
     bool Intersect(const Ray& ray, Intersection& best, TraceThreadData* thread) const { return Intersect(ray, best, 0, -HUGE_VAL, thread); }
 
     bool Intersect(const Ray& ray, Intersection& best, const RayObjectCondition& precondition, const RayObjectCondition& postcondition,
                    TraceThreadData* thread) const;
 
-    /// Only objects with none of the flags, and intersections beyond the depth.
+    /// Only objects without these flags, and intersections beyond the depth.
     bool Intersect(const Ray& ray, Intersection& best, unsigned int flags, DBL depth, TraceThreadData* thread) const;
 
   private:
@@ -59,11 +58,10 @@ class SceneHierarchy
     TILT_LENS_FOR_AVX2 bool IntersectByAvx2(const Ray& ray, Intersection& best, Conditions conditions, TraceThreadData* thread) const;
 };
 
-/// Traverses a mesh's hierarchy, and makes stock's tree for Mesh::intersect_bbox_tree().
 class MeshHierarchy
 {
   public:
-    /// True if the mesh has stock's tree, which the first call makes. Thread-safe.
+    /// The first call makes stock's tree, if the mesh is bounded. Thread-safe.
     static bool HasTree(const Mesh& mesh)
     {
         return __atomic_load_n(&mesh.Data->Tree, __ATOMIC_ACQUIRE) != NULL || (mesh.Data->Bounded && MakeTree(mesh));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file macro_files.h
-/// Text files kept open for macros: a macro is read from its file at each invocation, and the frontend must find the file.
+/// Text files kept open, since a macro is read from its file at each invocation.
 
 #ifndef POVRAY_BACKEND_MACRO_FILES_H
 #define POVRAY_BACKEND_MACRO_FILES_H
@@ -20,7 +20,7 @@ namespace pov
 class MacroFiles
 {
   public:
-    /// The kept file of this name, at any position, which the caller owns; null if there is none.
+    /// The caller owns the file, at any position; null if there is none.
     pov_base::ITextStream* Take(const UCS2* name);
     /// Takes ownership. Beyond `most` files, closes the oldest.
     void Keep(pov_base::ITextStream* file);

@@ -7,13 +7,13 @@
 #include "backend/scene/objects.h"
 #include "backend/scene/scene.h"
 
-// this must be the last file included
+// must be last
 #include "base/povdebug.h"
 
 namespace pov
 {
 
-/// Flags in place of conditions save two virtual calls per object.
+/// Flags save two virtual calls per object.
 bool Trace::FindUnflagged(Intersection& isect, const Ray& ray, unsigned int flags, double depth, const RayObjectCondition& precondition,
                           const RayObjectCondition& postcondition)
 {

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file random_tables.h
-/// Cache of tables of random numbers, which depend on their seed alone. The renderer makes such tables twice at start and twice per
-/// thread.
+/// Cache of tables of random numbers, which depend on their seed alone; each thread needs two.
 
 #ifndef POVRAY_BACKEND_RANDOM_TABLES_H
 #define POVRAY_BACKEND_RANDOM_TABLES_H
@@ -14,7 +13,7 @@
 namespace pov
 {
 
-/// The table made with the same arguments, for the whole run, or null. Thread-safe.
+/// Valid for the whole run; may be null. Thread-safe.
 const std::vector<double>* KeptRandomDoubles(double least, double most, std::size_t count);
 void KeepRandomDoubles(double least, double most, const std::vector<double>& numbers);
 
