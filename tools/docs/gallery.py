@@ -46,7 +46,6 @@ class Scene:
 
 
 def read_scene(path):
-    """With the options of its comment."""
     command = re.search(rf"^//\s+\./render scenes/gallery/{path.stem}\.pov((?: \S+)*)$", path.read_text(), re.MULTILINE)
     options = command.group(1).split() if command else []
     if not any(option.startswith("+W") for option in options):
@@ -64,7 +63,6 @@ def small(scene):
 
 
 def number(pattern, text, what):
-    """The groups of the pattern, as they were printed."""
     found = re.search(pattern, text)
     if not found:
         sys.exit(f"povray did not report {what}:\n{text[-1500:]}")
@@ -97,7 +95,7 @@ def render(scene, arguments):
 
 
 def make_thumbnail(picture, scene):
-    """WIDTH pixels wide, in the best quality that keeps it small."""
+    """In the best quality that keeps it small."""
     thumbnail = THUMBNAILS / f"{scene.name}.jpg"
     for quality in range(92, 40, -4):
         subprocess.run(
