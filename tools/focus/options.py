@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Size and clock in POV-Ray's options, by command line or ini files."""
+"""Size and clock in POV-Ray's options."""
 
 import dataclasses
 import re
@@ -25,7 +25,7 @@ def settings_in(words, depth=0):
 
 
 def lines_of(path, section):
-    """Before the first section, and in the named one."""
+    """Lines before the first section, and in the named one."""
     try:
         with open(path, encoding="utf-8", errors="replace") as stream:
             lines = stream.read().splitlines()

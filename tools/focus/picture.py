@@ -13,7 +13,6 @@ from tools.focus.tasks import ended, started
 
 
 def display(colours, gamma):
-    """Colours for a display, as bytes with alpha."""
     colours = numpy.clip(numpy.nan_to_num(colours), 0, 1)
     if gamma is not None and gamma != "sRGB":
         light = colours ** float(gamma)

@@ -7,12 +7,10 @@ import os
 from tools.focus import scene_text
 from tools.focus.scene_text import EditError
 
-SHOWN = ("location", "direction", "right", "up", "block")  # by which the camera in use is recognised
+SHOWN = ("location", "direction", "right", "up", "block")  # identify the camera in use
 
 
 class Record:
-    """As the program found them, and the file's stamp then."""
-
     def __init__(self, found, file, stamp):
         self.found, self.file, self.stamp = found, file, stamp
 
@@ -32,7 +30,7 @@ class Record:
         return os.path.realpath(camera["file"]) == self.file.path
 
     def index_in_use(self):
-        """Index of the camera statement that the scene is rendered with, or None."""
+        """Of the camera statement that the scene is rendered with, or None."""
         same = [i for i, camera in enumerate(self.cameras) if all(camera[key] == self.view[key] for key in SHOWN)]
         return same[-1] if same else None
 
@@ -44,7 +42,7 @@ class Record:
             return []
 
     def kept_in_picture(self, index):
-        """Also in the true picture; without an index, of the camera in use."""
+        """Items kept in the true picture, too; without an index, of the camera in use."""
         index = self.index_in_use() if index is None else index
         found = self.kept(self.cameras[index]) if index is not None else []
         return [item for item in found if item.split()[0] not in scene_text.NOT_IN_PICTURE]

@@ -12,7 +12,7 @@ from tools.focus.scene_text import EditError
 
 @contextlib.contextmanager
 def in_words(what):
-    """@throws EditError in place of a system error: action and reason"""
+    """@throws EditError in place of a system error"""
     try:
         yield
     except OSError as error:
@@ -70,7 +70,7 @@ def replaced_in_one_step(path, info, before, after):
 
 
 def write_into(path, before, after):
-    """Once the disk has room for it."""
+    """Reserves room on the disk before it overwrites anything."""
     with open(path, "r+b") as stream:
         require_same(stream.read(), before)
         try:

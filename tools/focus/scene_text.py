@@ -4,7 +4,7 @@
 
 import re
 
-# items written by the page; kept items; those that the true picture omits, having a quality of its own
+# written by the page; kept; omitted by the true picture, which has a quality of its own
 WRITTEN = (
     "film_width",
     "focal_length",
@@ -63,7 +63,7 @@ def blanked(text):
 
 
 def comment_end(text, at):
-    """Position behind the comment at a position; comments nest."""
+    """Comments nest."""
     depth = 1
     while depth > 0:
         found = re.compile(r"/\*|\*/").search(text, at)
@@ -75,7 +75,7 @@ def comment_end(text, at):
 
 
 def version_of(text):
-    """The number of the first #version as written, or None."""
+    """The first #version as written, or None."""
     found = re.search(r"#\s*version\s+([0-9.]+)\s*;", blanked(text))
     return found.group(1) if found else None
 
@@ -170,8 +170,8 @@ def with_items(block, items):
 
 
 def with_block(text, line, block, items):
-    """In the camera whose closing brace is in a line. `items`: name -> value of camera items, None to remove. Other items of the block
-    stay. @throws EditError"""
+    """Changes the camera whose closing brace is in a line. `items`: {name: value, or None to remove}. Other items of the block stay.
+    @throws EditError"""
     word, opening, end = camera_at(text, line)
     body = text[opening + 1 : end]
     block = with_items(block, kept_at(text, line) or [])
@@ -188,7 +188,7 @@ def with_block(text, line, block, items):
 
 
 def behind_camera(text, line, block):
-    """The same camera with this block behind it, where its block may come from a macro or have directives. @throws EditError"""
+    """Repeats the camera with this block, where its own may come from a macro or have directives. @throws EditError"""
     word, _, end = camera_at(text, line)
     if re.search(r"[=(,]\s*$", blanked(text)[:word]):
         raise EditError("the camera is part of a declaration")
@@ -217,7 +217,6 @@ def with_head(changed, text, line, head):
 
 
 def with_block_in(body, block, indent, newline):
-    """A camera's text with its block replaced or added; `indent` is that of the camera's line."""
     old = block_in(body)
     if old is None:
         return body.rstrip() + newline + indented(block, indent + "  ", newline) + newline + indent

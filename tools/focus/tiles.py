@@ -14,7 +14,7 @@ from tools.povray_run import STATE_HEADER, whole_messages
 VECTORS = {b"VFL4": ">f4", b"VIN4": ">i4"}
 
 
-PREVIEW, PICTURE = 1, 2  # kinds of a rectangle for the page
+PREVIEW, PICTURE = 1, 2  # of a rectangle for the page
 
 
 def packed(kind, number, left, top, values):
@@ -35,7 +35,7 @@ class Tile:
 
 
 def attributes(message):
-    """Name -> bytes, or numbers for vectors."""
+    """{name: bytes, or numbers for vectors}."""
     (count,) = struct.unpack(">i", message[24:28])
     found, at = {}, 28
     for _ in range(count):
@@ -52,7 +52,7 @@ def attributes(message):
 
 
 def tile_of(message):
-    """A message's tile, or None."""
+    """None for other messages."""
     found = attributes(message)
     try:
         left, top, right, bottom = (struct.unpack(">i", found[name])[0] for name in (b"Left", b"Top ", b"Righ", b"Bott"))
@@ -76,10 +76,10 @@ class StateFile:
         path.unlink(missing_ok=True)
         path.touch()
         self.stream = open(path, "rb")
-        self.data = b""  # the header, and what is not yet read
+        self.data = b""  # header and unread bytes
 
     def tiles(self):
-        """Tiles completed since the last call."""
+        """Completed since the last call."""
         self.data += self.stream.read()
         ends = whole_messages(self.data)
         for at, end in zip(ends, ends[1:]):

@@ -1,11 +1,9 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// For tests; the page does not use it.
-
 import { describe } from "./block.js";
 
-/// @param live the live picture, and the other lens's
+/// For tests; the page does not use it.
 export function buildProbe(model, live) {
     const { blur } = live;
     const read = (canvas, [width, height]) => {
@@ -35,7 +33,6 @@ export function buildProbe(model, live) {
             return blur.drawings;
         },
 
-        /// Sum of the preview's values: colours and 1/distance.
         previewSum: () => blur.values.reduce((a, b) => a + b),
 
         /// Red, green, blue, alpha, upper row first; `show` overrides the settings.
@@ -49,10 +46,9 @@ export function buildProbe(model, live) {
             return pixels;
         },
 
-        /// The pixels of the other lens's picture, at the live picture's size.
+        /// At the live picture's size, like truePixels.
         otherPixels: () => read(document.getElementById("other-picture"), size()),
 
-        /// The true picture's pixels, at the live picture's size.
         truePixels: () => read(document.getElementById("truth"), size()),
 
         nextDrawing() {

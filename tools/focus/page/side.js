@@ -40,7 +40,7 @@ function windowOf(lens, up, meeting, hinge, surfaces) {
     return box;
 }
 
-/// @param surfaces [distance along the axis, along `up`], from surfaceSection
+/// @param surfaces from surfaceSection
 export function drawSide(svg, lens, surfaces) {
     const up = leaning(lens), k = [dot(lens.focus, lens.axis), dot(lens.focus, up)];
     const t = [dot(lens.normal, lens.axis), dot(lens.normal, up)], s = lens.filmDistance;
