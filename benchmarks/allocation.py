@@ -3,7 +3,7 @@
 """The adaptive sampler's error over that of uniform sampling with as many rays, and over that of perfect knowledge.
 
 Perfect knowledge follows from uniform pictures with 2, 4, 8, ... samples: each group of 8 by 8 pixels takes the number n that makes its
-squared error plus lambda n least. One half of the pictures chooses the numbers and the other judges them."""
+squared error plus lambda n least. Half of the pictures choose the numbers and the others judge them."""
 
 from benchmarks import gallery, suite
 from benchmarks.front import error_after
@@ -15,9 +15,9 @@ SAMPLES = (2, 4, 8, 16, 32, 64, 128)
 VARIANCES = (3e-3, 1e-3, 3e-4, 1e-4, 3e-5)
 QUICK_SAMPLES, QUICK_VARIANCES = SAMPLES[:5], VARIANCES[1:3]
 QUICK_SCENES = ("checks", "foliage", "town")
-PICTURES = 4  # of each setting, half of them to choose by
+PICTURES = 4  # half of them to choose by
 GROUP = 8
-MOST = 1024  # samples of a pixel of the adaptive sampler
+MOST = 1024
 REFERENCE = (2, 2048)  # pictures, samples a pixel of each
 LAMBDAS = [10 ** (-exponent / 6) for exponent in range(12, 61)]  # squared error saved by a sample
 
@@ -78,7 +78,7 @@ def sizes_of_groups(width, height):
 
 
 def compare(even, adaptive, sizes):
-    """For each adaptive record within the range of both curves."""
+    """Only adaptive records within the range of both curves."""
     values = sum(sizes)
     uniform = [(n, sum(mean_by_group(lists)) / values) for n, lists in even.items()]
     best = [point for point in ideal(even, sizes) if point[1] > 0]

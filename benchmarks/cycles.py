@@ -25,7 +25,6 @@ def installed():
 
 
 def scene_told(lab):
-    """As the scene reports them."""
     shot = SCENE.shot(PINHOLE, declare=(("Tell", 1),))
     messages, _, _ = lab.render(lab.ours, lab.one_pixel(shot), lab.work / "cycles" / "told.png")
 
@@ -52,7 +51,7 @@ def settings(quick):
 
 
 def render_all(lab, folder, repetitions):
-    """CPU seconds without the start of Blender; the first pictures stay."""
+    """Returns CPU seconds without the start of Blender; the first pictures stay."""
     (folder / "scene.json").write_text(json.dumps({**scene_told(lab), "settings": settings(lab.quick), "repetitions": repetitions}))
     done = subprocess.run(
         [
@@ -79,7 +78,6 @@ def render_all(lab, folder, repetitions):
 
 
 def measure(lab):
-    """None without Blender."""
     if not installed():
         lab.say("Part cycles is skipped, because Blender is not installed (sudo apt-get install blender).")
         return None

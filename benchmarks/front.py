@@ -6,7 +6,7 @@ import math
 
 
 def pareto(points):
-    """(seconds, error) pairs of the Pareto front, the fastest first."""
+    """(seconds, error) pairs, the fastest first."""
     front = []
     for seconds, error in sorted(points):
         if not front or error < front[-1][1]:
@@ -29,7 +29,7 @@ def seconds_for(points, error):
 
 
 def error_after(points, seconds):
-    """Interpolated alike. None before the fastest setting; after the slowest one, its error, an upper bound."""
+    """None before the fastest setting; after the slowest one, its error, an upper bound."""
     front = pareto(points)
     if not front or front[0][0] > seconds:
         return None

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The gallery's scenes with the cameras that compete.
 
-The unpatched program cannot read their `tilt_lens`: copies use `camera.inc` with the reported numbers. The untilted variant keeps lens
-and focus, aimed at the middle of the picture. The diaphragm is round in all."""
+The unpatched program cannot read their `tilt_lens`: copies use `camera.inc` with the reported numbers and a round diaphragm. The
+untilted variant keeps lens and focus, aimed at the middle of the picture."""
 
 import json
 import math
@@ -35,7 +35,6 @@ def normalized(vector):
 
 
 def told(lab, name, folder):
-    """The camera's record, and the messages."""
     record = folder / "camera.json"
     command = povray_run.command(
         lab.ours,
@@ -86,7 +85,6 @@ def lens(view, messages):
 
 
 def untilted(tilted):
-    """Without tilt and shift, aimed and focused at the picture's middle."""
     eye, normal, (shift_right, shift_up) = tilted["Eye"], tilted["Normal_"], tilted["Shift_"]
     film_distance = tilted["Film_"] / 2 / math.tan(math.radians(tilted["Angle"] / 2))
     middle = total((film_distance, tilted["Axis_"]), (shift_right, tilted["Right_"]), (shift_up, tilted["Up_"]))

@@ -19,7 +19,6 @@ PINHOLE, STOCK, TILT_LENS, ACCUMULATE = range(4)  # Form of scenes/camera.inc
 
 
 def digest(*parts):
-    """For JSON or bytes."""
     made = hashlib.sha256()
     for part in parts:
         made.update(part if isinstance(part, bytes) else json.dumps(part, sort_keys=True).encode())
@@ -49,7 +48,7 @@ class Shot:
     tilted: int = 0
     size: tuple = (200, 150)
     declare: tuple = ()  # (name, value) pairs
-    options: tuple = ()  # further options
+    options: tuple = ()
     threads: int = 1
     part: Part = None  # the larger picture that this is a part of
     folder: pathlib.Path = SCENES
@@ -95,7 +94,6 @@ class Shot:
         )
 
     def sources(self):
-        """The scene and this project's files in it."""
         found = povray_run.sources(self.folder / f"{self.scene}.pov", [SCENES, INCLUDE])
         return b"".join(path.read_bytes() for path in sorted(found, key=lambda path: path.name))
 
@@ -104,7 +102,7 @@ class Shot:
 class Lab:
     ours: pathlib.Path
     stock: pathlib.Path
-    tools: pathlib.Path  # the benchmark's tools
+    tools: pathlib.Path
     work: pathlib.Path
     quick: bool = False
 
@@ -158,7 +156,7 @@ class Lab:
 
     def reference(self, shot, batches, samples):
         """Made once: mean of independent tilt_lens pictures with the same number of samples in each pixel."""
-        if shot.form == PINHOLE:  # a lens of almost no diameter: sharp as a pinhole
+        if shot.form == PINHOLE:  # sharp as a pinhole
             shot = dataclasses.replace(shot, form=TILT_LENS, declare=(("Blur", 1e-7), *shot.declare))
         samples = samples // 2 if self.quick else samples
         name = digest(shot.settings(), shot.sources(), batches, samples)
@@ -204,7 +202,7 @@ class Lab:
         return {**record, **about}
 
     def interleaved(self, programs_and_shots, repetitions, reference=None):
-        """Shots in turn; first records with median CPU seconds."""
+        """Returns the first records, with median CPU seconds."""
         rounds = [
             [self.run(binary, shot, reference, repetition) for binary, shot in programs_and_shots] for repetition in range(repetitions)
         ]
@@ -219,7 +217,6 @@ class Lab:
             journal.write(json.dumps(record) + "\n")
 
     def start_up(self, program, shot):
-        """A run of one pixel."""
         return statistics.median(self.run(program, self.one_pixel(shot), repetition=i)["cpu"] for i in range(3))
 
     @staticmethod
@@ -229,12 +226,11 @@ class Lab:
 
 
 def cpu_of_rays(messages):
-    """One thread, without start and parsing, as reported."""
+    """As reported for one thread, without start and parsing."""
     found = re.findall(r"^  Trace Time:.*\n\s+using 1 thread\(s\) with ([0-9.]+) CPU-seconds", messages, re.M)
     return list(map(float, found))
 
 
 def samples_spent(messages):
-    """From the summary."""
     found = re.search(r"Samples per pixel\D+([\d.]+)\D+99\s?%\D*([\d.]+)\D+([\d.]+)", messages)
     return {} if not found else dict(zip(("samples", "samples_99", "samples_most"), map(float, found.groups())))

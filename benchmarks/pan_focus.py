@@ -44,7 +44,7 @@ def measure(lab, scene):
     lab.say(f"{scene.name}: a lens without blur, and anti-aliasing")
     reference = lab.reference(scene.shot(TILT_LENS, declare=SHARP), *scene.reference)
     chosen = shots(lab, scene)
-    short = lab.run(*chosen[0][2:], reference)["cpu"] < 0.2  # very short runs need more repetitions
+    short = lab.run(*chosen[0][2:], reference)["cpu"] < 0.2
     runs = lab.interleaved([entry[2:] for entry in chosen], 2 if lab.quick else 25 if short else 5, reference)
     return [
         {**run, "program": program, "setting": setting, "scene": scene.name, "rmse": math.sqrt(run["mse"])}

@@ -37,7 +37,6 @@ def data(name, points):
 
 
 def errors(path, title, records):
-    """Runs as points, fronts as lines."""
     script = HEAD.format(output=path, title=title, x="CPU seconds", y="RMSE", key="top right")
     curves = []
     for number, (program, (name, point, colour)) in enumerate(LOOKS.items()):

@@ -1,6 +1,5 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The gallery's town with one sample in each pixel."""
 
 from benchmarks import gallery, suite
 from benchmarks.lab import TILT_LENS

@@ -1,8 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The results as Markdown tables, with their goals.
-
-A section makes paragraphs of a part's rows; `benchmarks/pages.py` puts them into the pages."""
+"""The results as Markdown tables, with their goals. A section makes paragraphs of a part's rows."""
 
 from benchmarks import suite
 from benchmarks.front import geometric_mean
@@ -99,7 +97,6 @@ def section_reading(rows):
 
 
 def denoise_ratios(rows):
-    """After the same work, by scene and variance."""
     scenes = dict.fromkeys(row["scene"] for row in rows)
     return {scene: compare([row for row in rows if row["scene"] == scene]) for scene in scenes}
 

@@ -48,7 +48,6 @@ def table(header, rows):
 
 
 def ratio_cell(line):
-    """Ratio, and the error compared at."""
     if line["ratio"] is None:
         return f"not reached ({line['rmse']:.4f})"
     least = "at least " if line.get("at_least") else ""
@@ -113,7 +112,6 @@ def plots_of(comparisons, tilted):
 
 
 def both_sections(found, goals_of, plots=False):
-    """The goals of both are below."""
     paragraphs = []
     for tilted, (name, words) in enumerate(
         (

@@ -20,7 +20,6 @@ def repetitions(first):
 
 
 def start_up(lab, program, scene, shot):
-    """0 where not compared."""
     return 0.0 if scene.part else lab.start_up(program, shot)
 
 
@@ -75,7 +74,6 @@ def measure(lab, scene):
 
 
 def compare(scene, records):
-    """Stock's samples and error, both programs' seconds."""
     fronts = {
         program: [(record["cpu"], record["rmse"]) for record in records if record["program"] == program]
         for program in ("stock", "tilt_lens")

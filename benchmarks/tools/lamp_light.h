@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file lamp_light.h
-/// Share of lamps' light that a picture keeps.
+/// The share of lamps' light that a picture keeps.
 
 #ifndef LAMP_LIGHT_H
 #define LAMP_LIGHT_H
@@ -15,7 +15,6 @@
 
 #include "picture.h"
 
-/// With lamps and without; sums of the channels.
 class LampLight
 {
   public:
@@ -71,7 +70,6 @@ class LampLight
         return light;
     }
 
-    /// Within `reach` rows and columns.
     static std::vector<double> Brightest(const std::vector<double>& light, int width, int height)
     {
         std::vector<double> across(light), around;

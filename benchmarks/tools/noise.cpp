@@ -6,17 +6,16 @@
 ///
 ///     noise reference OUT.exr PICTURE...    mean of independent pictures and its standard error
 ///     noise errors REFERENCE PICTURE...     each picture against it
-///     noise claims REFERENCE PICTURE... --variance V --more-than N    independent pictures with the layers beside them
-///                                           (NAME.layers.exr): whether they keep V, their pixels that took more
-///                                           than N samples apart, and whether their standard error is true
+///     noise claims REFERENCE PICTURE... --variance V --more-than N    independent pictures with layers (NAME.layers.exr):
+///                                           whether they keep V, also in pixels of more than N samples, and their
+///                                           standard error
 ///     noise prefixes REFERENCE PICTURE... --counts N,N    the mean of the first so many pictures
-///     noise lamps REFERENCE WITHOUT PICTURE...    the light of lamps that each picture keeps, above white too: its share, and the
-///                                                 share of the pixels of their discs that lack it; the reference is one
-///                                                 with --unclipped, and so is that of the scene without lamps
-///     noise groups REFERENCE PICTURE... --side N  each picture's squared error in groups of N by N pixels
+///     noise lamps REFERENCE WITHOUT PICTURE...    the share of the lamps' light, above white too, that each picture keeps, and
+///                                                 of dark pixels in their discs; both references need --unclipped
+///     noise groups REFERENCE PICTURE... --side N  squared errors in groups of N by N pixels
 ///
-/// A reference of several pictures knows its own mean square error, which is taken off; results are at least zero. Larger pictures are cut
-/// to the reference's size; --at LEFT,TOP takes a part. One JSON object a line.
+/// A reference knows its own mean square error, which is taken off; results are at least zero. Larger pictures are cut to the reference's
+/// size; --at LEFT,TOP takes a part. One JSON object a line.
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +50,6 @@ Picture Clipped(Picture picture)
     return picture;
 }
 
-/// Without clipping above white.
 Reference Clipped(Reference reference)
 {
     for (std::size_t i = 0; i < reference.mean.Size(); ++i)
@@ -101,7 +99,6 @@ json Errors(const Picture& picture, const Reference& reference)
     return {{"mse", std::max(0.0, squares / picture.Size() - own)}, {"mean", sum / picture.Size()}, {"reference_mse", own}};
 }
 
-/// All of one scene.
 class Claims
 {
   public:
