@@ -42,7 +42,6 @@ def error_of(measured, wanted):
 
 
 def spots(lab):
-    """Around tilted planes; second moments."""
     rows = []
     for tilt in (10.5,) if lab.quick else (0.0, 10.5, -6.0):
         lens = Lens.tilted(cropped(PLAIN, 180, 120) if lab.quick else PLAIN, tilt, THROUGH)
@@ -86,7 +85,6 @@ class Ruler:
         return add(self.middle, times(u, self.half))
 
     def places(self, lens):
-        """Evenly spaced in the picture."""
         near, far = (lens.view.local(self.at(u))[2] for u in (-1, 1))
         steps = [i / (self.count - 1) for i in range(self.count)]
         return [2 * t * near / (far * (1 - t) + near * t) - 1 for t in steps]
@@ -157,7 +155,6 @@ def line_through(a, b):
 
 
 def meet(first, second):
-    """(y, z) where two such lines meet."""
     y = (second[0] - first[0]) / (first[1] - second[1])
     return y, first[0] + first[1] * y
 

@@ -9,7 +9,7 @@ from experiments.laboratory import SCENES, Claim
 from experiments.lens import Lens, View, add, length, sub, times
 from experiments.sharpness import Region, beyond_grid, measure, regions
 
-PINHOLE = 0.0001  # factor of the aperture
+PINHOLE = 0.0001
 
 
 def pictures(lab, names, size, pinhole, finer=1, declare=()):
@@ -84,12 +84,11 @@ def sharp_place(lab, sharp, blurred, lens, points, half):
 
 
 def box(lab):
-    """Figs. 5 and 6. No quick form: smaller squares are too small."""
+    """Figs. 5 and 6. No quick form: its squares would be too small."""
     view = dataclasses.replace(box_scene.VIEW, width=360, height=240)
     size = (view.width, view.height)
     rows = []
     for letter, line, half in (("a", floor_line(33), 22), ("b", side_line(12), 11), ("c", floor_line(33), 22)):
-        # each film distance has its pinhole picture
         shown = pictures(lab, [f"box_{letter}"], size, [("Stop", 1e6), ("Variance", 1e-4)], finer=3)
         lens = box_scene.state(letter, view)
         place, found = sharp_place(lab, shown["pinhole"], shown[f"box_{letter}"], lens, line, half)

@@ -1,9 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The box scene through a glass lens. A thin lens gets the properties of the glass one by one; each remainder is at most the rays'
-displacement (pixels) times the picture's steepness.
-
-Also by `tilt_lens` with fitted distortion and field curvature, and through the glass itself."""
+displacement (pixels) times the picture's steepness. Also by `tilt_lens` with fitted distortion and field curvature, and through the
+glass itself."""
 
 import dataclasses
 
@@ -17,9 +16,9 @@ PRESCRIPTION = 0.3  # levels: through the same surfaces
 CHARACTER = 1.0  # levels: the ideal lens with the numbers that are fitted to the glass
 MODELS = ("thin", "distortion", "field", "pupil", "glass")
 STEPS = ("distortion", "field", "pupil", "rest")
-REAL_VARIANCE = 6e-7  # of the fitted pictures; their noise is 0.2 level
+REAL_VARIANCE = 6e-7  # their noise is 0.2 level
 REACH = 3.0  # pixels beside a line whose steepness counts
-PINHOLE = 1e6  # f-number of the sharp picture
+PINHOLE = 1e6
 
 
 @dataclasses.dataclass
@@ -60,7 +59,6 @@ class Tracer:
 
 
 def real_lenses(lab, letter, size, fitted):
-    """By `tilt_lens`: with character, and through glass."""
     k1, k2, near = fitted["distortion"]
     lenses = {
         "character": [("Glass", 0), ("K1", k1), ("K2", k2), ("Near", near), ("Bent", fitted["field_curvature"])],

@@ -34,7 +34,6 @@ struct Row
     double error, reverseError, focalLength;
 };
 
-/// At the origin, along z, film 36 mm wide.
 tilt_lens::CameraFrame Camera(double filmDistance)
 {
     return {{}, {0, 0, 1}, {0.036 / filmDistance, 0, 0}, {0, 0.024 / filmDistance, 0}};
@@ -46,7 +45,6 @@ double Relative(long double value, long double truth)
     return static_cast<double>(std::fabs(value - truth) / std::fabs(truth) / epsilon);
 }
 
-/// The equation against the solver, in both directions.
 Row Solve(double focusTilt, double distance, double filmDistance)
 {
     Row row{focusTilt, distance, filmDistance, 0, 0, 0, 0, 0, 0};

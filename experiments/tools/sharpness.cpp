@@ -13,7 +13,6 @@ namespace paper
 namespace
 {
 
-/// In parts of the disc.
 struct Disc
 {
     int reach = 0;
