@@ -1,10 +1,9 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The worth of each rule of the sampler: the work for the same error without it.
+"""The worth of each rule of the sampler: the work, in samples a pixel, for the same error without it.
 
-The first samples of every pixel are recorded once for a scene; a sample depends on its pixel and its number alone. Rules of the emitter
-sampling change samples and are recorded anew, in scenes with lamps. Work is samples a pixel. The error is that against the mean of all
-recorded samples, of which a pixel gets at most a quarter."""
+The first samples of every pixel are recorded once for a scene, since a sample depends on its pixel and its number alone. Only rules of
+the emitter sampling change samples. The error is that against the mean of all recorded samples, of which a pixel gets at most a quarter."""
 
 import json
 import math

@@ -15,7 +15,7 @@ PROCESSES = os.cpu_count() or 1  # more would take the caches from each other
 
 # a PNG would clip lights before they are averaged
 def frames(lab, shot, first, last, count, folder):
-    """CPU seconds of the rays alone, as the program reports them, and of the whole process."""
+    """CPU seconds of the rays alone, and of the process."""
     command = shot.command(
         lab.stock, folder / "f.exr", *lab.gathered_light(shot), "+FE", "+KFI1", f"+KFF{count}", f"+SF{first}", f"+EF{last}"
     )
@@ -38,7 +38,6 @@ def frames_of(lab, scene, tilted):
 
 
 def measure(lab, scene, tilted):
-    """(CPU seconds of the rays, RMSE)."""
     count = frames_of(lab, scene, tilted)
     shot = scene.shot(ACCUMULATE, tilted)
     reference = lab.reference(dataclasses.replace(shot, form=TILT_LENS), *scene.reference)

@@ -28,7 +28,6 @@ def middle(whole, size):
 
 
 def squares(lab, shot, reference):
-    """Squared errors of groups in independent pictures, mean number of samples, the reference's own error."""
     key = digest("squared errors of groups", lab.hashes[lab.ours], shot.settings(), shot.sources(), reference.name, PICTURES, GROUP)
     record = lab.runs.get((key, 0))
     if record is None:
@@ -56,7 +55,7 @@ def mean_by_group(lists):
 
 
 def ideal(even, sizes):
-    """(rays of a pixel, MSE) for each lambda. `even`: squared errors by number of samples and picture, `sizes`: values of each group."""
+    """(rays of a pixel, MSE) for each lambda. `even`: squared errors by number of samples and picture."""
     points = []
     counts, half = sorted(even), PICTURES // 2
     for weight in LAMBDAS:
@@ -73,7 +72,6 @@ def ideal(even, sizes):
 
 
 def sizes_of_groups(width, height):
-    """Three values a pixel, row by row."""
     return [3 * min(GROUP, width - x) * min(GROUP, height - y) for y in range(0, height, GROUP) for x in range(0, width, GROUP)]
 
 
@@ -119,7 +117,6 @@ def of_scene(lab, scene, whole):
 
 
 def scenes(lab, names):
-    """The benchmark's at both sizes, the gallery's at the larger one."""
     of_benchmark = [scene for scene in suite.SCENES if scene.name in names and (not lab.quick or scene.name in QUICK_SCENES)]
     of_gallery = [] if lab.quick else [suite.of_gallery(name, gallery.copy(lab, name)) for name in suite.DISPLAY if name in names]
     return [(scene, LARGE) for scene in of_benchmark + of_gallery] + [(scene, SMALL) for scene in of_benchmark]

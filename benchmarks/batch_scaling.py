@@ -31,7 +31,7 @@ NODES = 1000
 
 
 def measured(command, folder, env=None):
-    """Includes child processes: elapsed seconds, CPU seconds, the largest process in MB."""
+    """Elapsed seconds, CPU seconds, the largest process in MB, with child processes."""
     done = povray_run.run(command, folder, env or povray_run.user_environment(), limit=None)
     if done.code != 0:
         sys.exit(done.told())
@@ -58,7 +58,6 @@ class Measurements:
         return measured([ROOT / "batch", *words, "--output", output, "--povray", POVRAY, "--quiet"], self.folder, env)
 
     def start(self):
-        """POV-Ray alone on a tiny picture."""
         command = povray_run.command(POVRAY, SCENE, "tiny.png", *TINY, "+WT1", library=[SCENE.parent])
         return [measured(command, self.folder) for _ in range(self.repeat)]
 
@@ -72,7 +71,6 @@ class Measurements:
         return runs
 
     def speed(self):
-        """One still in eight bands with 1, 2 and 4 workers, interleaved, and one POV-Ray with its own threads."""
         runs = {}
         whole = povray_run.command(POVRAY, SCENE, "whole.png", *STILL, library=[SCENE.parent])
         for _ in range(self.repeat):
@@ -100,7 +98,6 @@ class Measurements:
 
 
 def dispatch_rate(repeat):
-    """An array job without work."""
     rates = []
     with tempfile.TemporaryDirectory(prefix="slurm.") as folder, Cluster(folder) as cluster:
         for _ in range(repeat):
@@ -143,7 +140,7 @@ def speed_rows(runs):
 
 
 def margin(runs, unit):
-    """Rows sampled beyond a band's edges: from eight bands' time beyond that of the whole picture and of the units."""
+    """Rows sampled beyond a band's edges, by the time of eight bands beyond that of the whole and of the units."""
     whole, bands, rows = (median(runs["povray +WT1"], 1), median(runs["batch, 1 worker"], 1), STILL[0][1])
     return max(0.0, bands - whole - 10 * median(unit, 1)) / (2 * 7) / (whole / rows)  # two small renders
 

@@ -16,7 +16,6 @@ LEAST, MOST = 4, 262144  # no pixel should need the largest number
 
 
 def claims(lab, shot, reference, first, count, variance):
-    """The reference has other samples."""
     key = digest("claims", lab.hashes[lab.ours], shot.settings(), shot.sources(), reference.name, first, count)
     record = lab.runs.get((key, 0))
     if record is None:

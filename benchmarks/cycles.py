@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""tilt_lens against Cycles on the emissive checks, which both can draw. Untilted: the lens of Cycles cannot be tilted."""
+"""tilt_lens against Cycles, whose lens cannot be tilted, on the emissive checks, which both can draw."""
 
 import json
 import math
@@ -44,14 +44,14 @@ def scene_told(lab):
 
 
 def settings(quick):
-    """(name, samples, threshold, least samples); a threshold of 0 turns adaptive sampling off."""
+    """A threshold of 0 turns adaptive sampling off."""
     return [(str(samples), samples, 0, 0) for samples in (TARGETS[:3] if quick else TARGETS)] + [
         (f"{least},{most} {threshold:g}", most, threshold, least) for most, threshold, least in (ADAPTIVE[:4] if quick else ADAPTIVE)
     ]
 
 
 def render_all(lab, folder, repetitions):
-    """Returns CPU seconds without the start of Blender; the first pictures stay."""
+    """CPU seconds without the start of Blender; the first pictures stay."""
     (folder / "scene.json").write_text(json.dumps({**scene_told(lab), "settings": settings(lab.quick), "repetitions": repetitions}))
     done = subprocess.run(
         [

@@ -1,8 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Lamps far out of focus: in mirrors and textures, and unknown to the sampler in patterns, glass and highlights. Default settings against
-fixed sampling with as many rays. Dark discs hardly change the error, so two figures are of the lamps alone: the share of light kept, and
-of dark pixels in their discs."""
+fixed sampling with as many rays. Dark discs hardly change the error, hence the share of the lamps' light kept, and of dark disc pixels."""
 
 import dataclasses
 import math
@@ -88,7 +87,7 @@ class Reference:
         return path
 
     def fine_enough(self, *sets):
-        """A reference whose error is far below some pictures' errors; and these."""
+        """A reference whose error is far below that of some pictures, and these."""
         samples, most = LEAST_SAMPLES, QUICK_MOST if self.lab.quick else MOST_SAMPLES
         while True:
             path = self.of(samples)

@@ -65,7 +65,6 @@ def numbers(messages, words):
 
 
 def lens(view, messages):
-    """In the terms of camera.inc."""
     axis, right, up = (normalized(view[name]) for name in ("direction", "right", "up"))
     film, _, *shift = numbers(messages, "Film")
     _, diameter, units = numbers(messages, "Aperture")
@@ -115,7 +114,6 @@ def declared(camera):
 
 
 def copy(lab, name):
-    """Made anew when the scene has changed."""
     original = (GALLERY / f"{name}.pov").read_text()
     path = lab.work / "scenes" / digest(original, (SCENES / "camera.inc").read_text()) / f"{name}.pov"
     if path.is_file():

@@ -80,7 +80,6 @@ class Shot:
         ]
 
     def place(self):
-        """Options of the tool `noise`."""
         return ["--at", f"{self.part.left},{self.part.top}"] if self.part and self.form == STOCK else []
 
     def independent(self, number):
@@ -130,7 +129,7 @@ class Lab:
         return [json.loads(line) for line in done.stdout.splitlines()]
 
     def render(self, program, shot, picture, low_priority=False):
-        """Linear 16-bit PNG, or OpenEXR for .exr; returns messages, CPU seconds, elapsed seconds."""
+        """Linear 16-bit PNG, or OpenEXR for .exr; returns messages, CPU and elapsed seconds."""
         picture.parent.mkdir(parents=True, exist_ok=True)
         picture.unlink(missing_ok=True)
         command = shot.command(
@@ -155,7 +154,7 @@ class Lab:
         return ["+RFI", f"+RF{path}", "Radiosity_Vain_Pretrace=off"]
 
     def reference(self, shot, batches, samples):
-        """Made once: mean of independent tilt_lens pictures with the same number of samples in each pixel."""
+        """The mean of independent tilt_lens pictures with the same number of samples in each pixel, made once."""
         if shot.form == PINHOLE:  # sharp as a pinhole
             shot = dataclasses.replace(shot, form=TILT_LENS, declare=(("Blur", 1e-7), *shot.declare))
         samples = samples // 2 if self.quick else samples
@@ -202,7 +201,6 @@ class Lab:
         return {**record, **about}
 
     def interleaved(self, programs_and_shots, repetitions, reference=None):
-        """Returns the first records, with median CPU seconds."""
         rounds = [
             [self.run(binary, shot, reference, repetition) for binary, shot in programs_and_shots] for repetition in range(repetitions)
         ]
@@ -226,7 +224,6 @@ class Lab:
 
 
 def cpu_of_rays(messages):
-    """As reported for one thread, without start and parsing."""
     found = re.findall(r"^  Trace Time:.*\n\s+using 1 thread\(s\) with ([0-9.]+) CPU-seconds", messages, re.M)
     return list(map(float, found))
 

@@ -22,7 +22,6 @@ SUMMARIES = {
 
 
 def compact(value, indent=""):
-    """As much on a line as fits."""
     line = json.dumps(value)
     if len(indent + line) <= WIDTH or not isinstance(value, (dict, list, tuple)):
         return line

@@ -26,7 +26,6 @@ MINIMA = (1, 2, 4, 8)
 
 
 def shots(lab, scene):
-    """(program, setting, binary, shot), alternately."""
     stock = [
         ("+A", " ".join(options), lab.stock, scene.shot(PINHOLE, options=options))
         for options in (TARGETS[:3] if lab.quick else TARGETS + OTHERS)
@@ -53,7 +52,6 @@ def measure(lab, scene):
 
 
 def compare(records):
-    """Over stock's least CPU time for each error."""
     fronts = {
         program: [(record["cpu"], record["rmse"]) for record in records if record["program"] == program] for program in ("+A", "tilt_lens")
     }

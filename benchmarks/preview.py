@@ -9,7 +9,6 @@ REPETITIONS = 3
 
 
 def measure(lab):
-    """CPU seconds: whole run, rays with reconstruction."""
     lab.say("one sample in each pixel")
     scene = suite.of_gallery(SCENE, gallery.copy(lab, SCENE))
     whole = scene.shot(TILT_LENS, 1, size=suite.DISPLAY_SIZE, part=None, declare=suite.limits(1, 1, 1e-3))

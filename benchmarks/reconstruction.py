@@ -50,7 +50,7 @@ def measure(lab, scene, count=instructions.count):
 
 
 def compare(rows):
-    """RMSE without over with reconstruction, after the work without it, in the common range. Else: most work of one, least of the other."""
+    """RMSE without over with reconstruction after equal work; without a common range, after the most of one and the least of the other."""
     off, on = ([(row["instructions"], row["rmse"]) for row in rows if row["denoise"] == denoise] for denoise in (0, 1))
     least = max(pareto(points)[0][0] for points in (off, on))
     most = min(pareto(points)[-1][0] for points in (off, on))

@@ -579,7 +579,6 @@ def range_of(lines):
 
 
 def overview(results):
-    """CPU time by scene; means over the errors."""
     untilted, tilted = results["stock"], results["tilted"]
     rows = [[TITLES[scene], range_of(untilted[scene]), range_of(tilted[scene])] for scene in untilted if scene in tilted]
     together = [[line for lines in comparisons.values() for line in lines] for comparisons in (untilted, tilted)]

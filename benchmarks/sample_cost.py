@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The cost of a sample with all its rays: callgrind's instructions in the sampling of tiles, and the search for intersections. With a
-program to compare, also CPU seconds."""
+"""The cost of a sample with all its rays, by callgrind's instructions; with a program to compare, also by CPU seconds."""
 
 import dataclasses
 import statistics
@@ -26,7 +25,6 @@ ALL, INTERSECTIONS = "tilt_lens::TileSampler::Run(*", "pov::SceneHierarchy::Inte
 
 
 def seconds_over_before(lab, shot, before):
-    """The median of successive pairs."""
     larger = dataclasses.replace(shot, size=TIMED_SIZE)
     pairs = [[lab.run(program, larger, repetition=i)["rays"] for program in (lab.ours, before)] for i in range(REPETITIONS)]
     return statistics.median(ours / theirs for ours, theirs in pairs)

@@ -1,6 +1,5 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Scenes and settings."""
 
 import dataclasses
 import pathlib
@@ -107,7 +106,6 @@ def limits(least, most, variance, confidence=0.9):
 
 
 def stock_shots(scene, quick):
-    """(name, shot); first the errors compared at."""
     settings = [(samples, samples, 0, 0.9) for samples in (scene.targets[:3] if quick else scene.targets)]
     adaptive = STOCK_SPARING + STOCK_ADAPTIVE if scene.part else STOCK_ADAPTIVE
     most = 32 if quick and scene.part else 64 if quick or scene.part else 128  # minimum for the least error compared at
@@ -120,7 +118,6 @@ def stock_shots(scene, quick):
 
 
 def ours_chains(scene, tilted, quick):
-    """Lists of (name, shot), from rough to fine."""
     return [
         [(f"{least} {variance:g}", scene.shot(TILT_LENS, tilted, declare=limits(least, 16384, variance))) for variance in variances]
         for least, variances in OURS["part" if scene.part else "quick" if quick else "full"]

@@ -55,7 +55,6 @@ def ratio_cell(line):
 
 
 def ratios(comparisons):
-    """Scenes by errors; last, geometric means."""
     targets = sorted({line["target"] for lines in comparisons.values() for line in lines})
     cells = [{line["target"]: ratio_cell(line) for line in lines} for lines in comparisons.values()]
     rows = [[TITLES[scene], *[found.get(target, "not compared") for target in targets]] for scene, found in zip(comparisons, cells)]
@@ -68,7 +67,6 @@ def ratios(comparisons):
 
 
 def found_ratios(comparisons):
-    """(ratio, scene, line) of all reached errors."""
     return [(line["ratio"], scene, line) for scene, found in comparisons.items() for line in found if line["ratio"]]
 
 
@@ -93,7 +91,6 @@ def ratio_goals(comparisons, other, wanted, least=None, where=""):
 
 
 def ratio_section(comparisons, goals):
-    """Table, goals, least ratio, number of unreached errors."""
     found = found_ratios(comparisons)
     missing = sum(line["ratio"] is None for lines in comparisons.values() for line in lines)
     paragraphs = [ratios(comparisons), *[goal.sentence() for goal in goals]]

@@ -24,7 +24,6 @@ def start_up(lab, program, scene, shot):
 
 
 def first_runs(lab, scene, reference):
-    """Alternately, ours until better than all errors."""
     stock = collections.deque(suite.stock_shots(scene, lab.quick))
     chains = [collections.deque(chain) for chain in suite.ours_chains(scene, 0, lab.quick)]
     done, errors = [], {}
@@ -49,7 +48,6 @@ def first_runs(lab, scene, reference):
 
 
 def measure(lab, scene):
-    """CPU seconds are medians of interleaved runs."""
     lab.say(f"{scene.name}: stock focal blur and tilt_lens")
     reference = lab.reference(scene.shot(TILT_LENS), *scene.reference)
     done = first_runs(lab, scene, reference)

@@ -13,7 +13,6 @@ VIEW = View(location=(0, 32, -50), look_at=(0, 3, 0), width=240, height=160, foc
 
 
 def turned(point):
-    """By 35 degrees about y, left-handed."""
     c, s = math.cos(math.radians(35)), math.sin(math.radians(35))
     return (c * point[0] + s * point[2], point[1], -s * point[0] + c * point[2])
 
@@ -37,7 +36,6 @@ def state(letter, view=VIEW):
 
 
 def oracle_case(letter, lens):
-    """By the lens's tilt instead of the plane."""
     view = lens.view
     return {
         "picture": [view.width, view.height],

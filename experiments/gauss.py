@@ -65,8 +65,8 @@ def write(folder):
 
 
 def write_moving(folder, moved, film_distance):
-    """moving.json: focal length 50 with the first element half-way to its near limit. The film is at this distance from the rear principal
-    point. Returns the focal length at infinity."""
+    """moving.json: focal length 50 with the first element half-way to its near limit. The film distance is that from the rear principal point.
+    Returns the focal length at infinity."""
     scale = 50 / focal_length(moved)
     a, _, c, _ = matrix(ROWS)
     at_infinity = -a / c

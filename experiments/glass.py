@@ -1,8 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The box scene through a glass lens. A thin lens gets the properties of the glass one by one; each remainder is at most the rays'
-displacement (pixels) times the picture's steepness. Also by `tilt_lens` with fitted distortion and field curvature, and through the
-glass itself."""
+displacement (pixels) times the picture's steepness."""
 
 import dataclasses
 
@@ -29,7 +28,6 @@ class Tracer:
     lines: list
 
     def picture(self, model, f_stop=F_STOP, measure=False, whole=False):
-        """Around the lines, or whole; and the tracer's figures."""
         view, kind = self.lens.view, "whole" if whole else "sharp" if f_stop > F_STOP else "lines"
         made = self.lab.work / f"{model}_{self.letter}_{kind}.exr"
         made.parent.mkdir(parents=True, exist_ok=True)
@@ -78,7 +76,6 @@ def real_lenses(lab, letter, size, fitted):
 
 
 def levels(lab, first, others, line):
-    """From the first picture, along a line."""
     report = lab.json([lab.tool("profile"), "line", first, *others, "--from-to", *line, "--points", 400])
     return [curve["average_difference"] for curve in report["curves"]]
 

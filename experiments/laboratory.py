@@ -106,7 +106,6 @@ class Laboratory:
         return found.hexdigest()
 
     def png(self, picture, *drawing):
-        """8-bit sRGB, with a drawing by oiiotool."""
         made = self.results / picture.with_suffix(".png").name
         made.parent.mkdir(parents=True, exist_ok=True)
         self.run(
@@ -132,7 +131,6 @@ class Laboratory:
         return self.json([self.tool("profile"), "moments", picture], stdin=json.dumps(windows))
 
     def oracle(self, name, case, scene, batches, samples):
-        """Made once for the same input."""
         key = hashlib.sha256(json.dumps([case, batches, samples]).encode() + scene.read_bytes())
         folder = self.work / "oracle" / f"{name}-{key.hexdigest()[:16]}"
         picture = folder / "mean.exr"

@@ -72,14 +72,12 @@ class Lens:
 
     @classmethod
     def tilted(cls, view, tilt, through):
-        """Leant forward, focused on a world point."""
         f, p = view.focal_length / view.scene_unit, view.local(through)
         normal = (0.0, -math.sin(math.radians(tilt)), math.cos(math.radians(tilt)))
         return cls(view, normal, f * p[2] / (dot(p, normal) - f))
 
     @classmethod
     def on_plane(cls, view, normal, point):
-        """Normal and point of the plane of sharp focus (world)."""
         f, n = view.focal_length / view.scene_unit, view.turned(unit(normal))
         k = times(1 / dot(n, view.local(point)), n)
         across = (f * k[0], f * k[1])
@@ -88,7 +86,6 @@ class Lens:
 
     @classmethod
     def of_angle(cls, view, angle, diameter, normal, point):
-        """The view is `angle` degrees wide; normal and point of the plane of sharp focus."""
         s = view.film_width / view.scene_unit / 2 / math.tan(math.radians(angle / 2))
         n = view.turned(unit(normal))
         q = add(times(1 / dot(n, view.local(point)), n), (0, 0, 1 / s))
@@ -113,7 +110,6 @@ class Lens:
         return (v.width / 2 + scale * p[0] / p[2] - v.shift[0] * millimetre, v.height / 2 - scale * p[1] / p[2] + v.shift[1] * millimetre)
 
     def lens_axes(self):
-        """Camera frame; right and up without swing."""
         right = unit(cross((0, 1, 0), self.normal))
         return right, cross(self.normal, right)
 
@@ -136,7 +132,6 @@ class Lens:
         return tuple(sum(a[i] * a[j] for a in axes) / 4 for i, j in ((0, 0), (0, 1), (1, 1)))
 
     def blur_diameter(self, point):
-        """The mean of the moments, pixels."""
         xx, _, yy = self.blur_moments(point)
         return 4 * math.sqrt((xx + yy) / 2)
 

@@ -22,7 +22,6 @@ def world(view, point):
 
 
 def at_pixel(lens, x, y, depth):
-    """At an axial depth, by a pinhole in the lens centre."""
     view, scale = lens.view, lens.pixels_per_slope()
     millimetre = view.width / view.film_width
     slope_x = (x - view.width / 2 + view.shift[0] * millimetre) / scale
@@ -89,7 +88,6 @@ def sharp_moments(x, y):
 
 
 def expected(lens, point):
-    """Moments of lens ellipse, disc and pixel."""
     blur = lens.blur_moments(point)
     if blur[0] + blur[2] < 0.1:
         return sharp_moments(*lens.pixel(point))

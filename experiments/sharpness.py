@@ -13,7 +13,6 @@ GRID = 16 / 12
 
 
 def beyond_grid(diameter):
-    """0 for a sharp place."""
     return math.sqrt(max(0.0, diameter * diameter - GRID))
 
 
@@ -36,7 +35,6 @@ class Region:
         return [left, top, min(lens.view.width, math.ceil(right)) - left, min(lens.view.height, math.ceil(bottom)) - top]
 
     def diameters(self, lens):
-        """Least and greatest, pixels."""
         found = [(lens.blur_diameter(p), lens.vergence(p)) for p in self.corners()]
         sizes = [size for size, _ in found]
         crosses = min(v for _, v in found) <= 0 <= max(v for _, v in found)

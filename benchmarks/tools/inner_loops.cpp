@@ -97,7 +97,6 @@ BENCHMARK_CAPTURE(Map, disc, Aperture::Disc());
 BENCHMARK_CAPTURE(Map, polygon, Aperture::Polygon(7, 0.2));
 BENCHMARK_CAPTURE(Map, picture, Aperture::Picture([](double u, double v) { return u + v * v; }));
 
-/// Per sample; plain noise.
 void TilePerSample(benchmark::State& state)
 {
     SamplingLimits limits;

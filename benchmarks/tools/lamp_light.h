@@ -53,7 +53,6 @@ class LampLight
     static constexpr double leastLight = 0.06, leastShare = 0.7;
     static constexpr int reach = 8;
 
-    /// Half as bright as the brightest pixel around.
     bool IsInDisc(std::size_t pixel) const { return m_light[pixel] >= std::max(leastLight, 0.5 * m_brightest[pixel]); }
 
     std::vector<double> Light(const witness::Picture& picture) const

@@ -5,17 +5,16 @@
 /// Pictures against their reference, in linear light.
 ///
 ///     noise reference OUT.exr PICTURE...    mean of independent pictures and its standard error
-///     noise errors REFERENCE PICTURE...     each picture against it
-///     noise claims REFERENCE PICTURE... --variance V --more-than N    independent pictures with layers (NAME.layers.exr):
-///                                           whether they keep V, also in pixels of more than N samples, and their
-///                                           standard error
+///     noise errors REFERENCE PICTURE...
+///     noise claims REFERENCE PICTURE... --variance V --more-than N    whether independent pictures with NAME.layers.exr keep
+///                                           V, also in pixels of more than N samples, and their standard error
 ///     noise prefixes REFERENCE PICTURE... --counts N,N    the mean of the first so many pictures
-///     noise lamps REFERENCE WITHOUT PICTURE...    the share of the lamps' light, above white too, that each picture keeps, and
-///                                                 of dark pixels in their discs; both references need --unclipped
+///     noise lamps REFERENCE WITHOUT PICTURE...    the share of the lamps' light kept, above white too, and of dark disc
+///                                                 pixels; both references need --unclipped
 ///     noise groups REFERENCE PICTURE... --side N  squared errors in groups of N by N pixels
 ///
-/// A reference knows its own mean square error, which is taken off; results are at least zero. Larger pictures are cut to the reference's
-/// size; --at LEFT,TOP takes a part. One JSON object a line.
+/// The reference's own mean square error is taken off; results are at least zero. Larger pictures are cut to the reference's size; --at
+/// LEFT,TOP takes a part. One JSON object a line.
 
 #include <algorithm>
 #include <cmath>
@@ -227,7 +226,6 @@ void PrintLamps(const Arguments& arguments)
     }
 }
 
-/// Row by row; smaller at the right and lower edge.
 void PrintGroups(const Arguments& arguments)
 {
     const Reference reference = Clipped(witness::ReadReference(arguments.reference));

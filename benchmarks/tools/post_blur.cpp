@@ -47,7 +47,6 @@ struct Gathered
     std::vector<double> light, weight;
 };
 
-/// A pixel at the rim gets its share.
 void Spread(const Picture& picture, int column, int row, double radius, Gathered& gathered)
 {
     const int reach = static_cast<int>(std::ceil(radius));

@@ -10,8 +10,7 @@
 /// A part of a picture is a picture of its own. --least and --most (default: a quarter of the samples) are `blur_samples`. --picture writes
 /// PREFIX0.pfm, ..., one for each object, and PREFIXtrue.pfm.
 ///
-/// A line is NAME=VALUE,... or empty. Each line, variance and denoise yields a JSON object: mean square error against the mean of all
-/// samples (linear, clipped), share of pixels off by more than 2 sqrt(V), samples per pixel.
+/// A line is NAME=VALUE,... or empty. Each line, variance and denoise yields a JSON object with the error against the mean of all samples.
 
 #include <algorithm>
 #include <array>

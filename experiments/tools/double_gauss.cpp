@@ -77,7 +77,6 @@ GlassLens::GlassLens(double focalLength, double fStop, double moved)
     {
         if (i + 1 < mSurfaces.size())
             back.y += back.slope * (mSurfaces[i].z - mSurfaces[i + 1].z);
-        // n' u' = n u + y (n' - n)/R with n' in front
         const Surface& s = mSurfaces[i];
         back.slope = (s.after * back.slope + back.y * (s.before - s.after) / s.radius) / s.before;
     }

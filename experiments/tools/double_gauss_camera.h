@@ -56,7 +56,6 @@ class GlassCamera
     /// By model, through one point of the stop; none where the glass blocks.
     std::optional<std::array<Ray, kModels>> ShootAll(double x, double y, double a, double b) const;
 
-    /// A rim may still end it.
     bool Vignetted(double x, double y, double a, double b) const;
 
     /// Least squares over the frame: chief rays, then mean focus (without astigmatism).
@@ -68,7 +67,6 @@ class GlassCamera
     /// Along the camera's axis, scene units.
     double Depth(const Vector& point) const;
 
-    /// By a pinhole in the lens centre.
     std::array<double, 2> PixelAt(const Ray& ray, double depth) const;
 
   private:

@@ -6,7 +6,7 @@
 //     tan(theta_L) = f_p tan(theta_F) / (U + f_p)
 //
 // theta_F: plane of sharp focus to film, U: its distance on the axis, f_p: film distance (the paper's focal length), theta_L: the lens's
-// angle. Left: the solver, also reversed; right: long double.
+// angle.
 
 #include <cmath>
 #include <cstdio>

@@ -84,7 +84,6 @@ class Request:
         }
 
     def changeable(self):
-        """Settings that do not change pixels."""
         return {
             "threads": self.threads,
             "retries": self.settings.retries,
