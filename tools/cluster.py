@@ -79,7 +79,7 @@ def parent_of(pid):
 
 
 def free_ports(count):
-    """Free ports below those that the system assigns itself."""
+    """Below those that the system assigns itself."""
     for first in range(10000 + os.getpid() % 20000, 32768, count):
         with contextlib.ExitStack() as stack:
             try:

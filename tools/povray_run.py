@@ -34,7 +34,6 @@ class UnreadablePicture(Exception):
 
 
 def quoted(name):
-    """Puts quotation marks where a character would end the name."""
     name = str(name)
     if not re.search(r"[\s;#\"']", name):
         return name
@@ -108,7 +107,6 @@ def start(words, folder=None, env=None, **how):
 
 
 def run(words, folder=None, env=None, limit=PATIENCE, **how):
-    """Kills it after `limit` seconds (None: never)."""
     begun = time.monotonic()
     process = start(words, folder, env, **how)
     late = threading.Event()
@@ -131,7 +129,7 @@ def run(words, folder=None, env=None, limit=PATIENCE, **how):
 
 
 def sources(scene, folders=()):
-    """The scene and the files that it includes, from its own folder or the first of `folders` that has them."""
+    """In a file's own folder or the first of `folders` that has it."""
     found = [pathlib.Path(scene)]
     for path in found:
         for name in re.findall(r'#include\s+"([^"]+)"', path.read_text()):
@@ -164,7 +162,7 @@ class Reader:
         self.process = None
 
     def ask(self, path):
-        """A line with width, height, number, type and names of the channels, and the values. Raises UnreadablePicture."""
+        """Width, height, number, type and names of the channels, and the values. Raises UnreadablePicture."""
         with self.lock:
             if self.process is None or self.process.poll() is not None:
                 self.process = subprocess.Popen([self.compare, "pixels"], stdin=subprocess.PIPE, stdout=subprocess.PIPE)

@@ -153,7 +153,7 @@ def work_through(work, description, settings, engine):
 
 
 def tasks_of(description, missing, settings, engine):
-    """Makes tasks long enough to be worth their start, yet enough for all workers."""
+    """Tasks long enough to be worth their start, yet enough for all workers."""
     estimate, bands = description["estimate"], len(description["key"]["bands"])
     seconds = estimate["picture"] / bands + estimate["start"]
     parallel = engine.workers(settings, description["threads"])

@@ -67,7 +67,6 @@ class Request:
         self.work = os.path.join(folder, self.settings.work or output + ".batch")
 
     def key(self):
-        """Without the part that depends on the scene."""
         return {
             "format": 1,
             "kind": self.kind,

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The key of a batch: all that its pixels depend on.
 
-POV-Ray lists files that it reads or looks for in vain (TILT_LENS_FILE_LIST). The key hashes those of the first render; a unit's record
-hashes further ones. A part is reused only if no file has changed or appeared."""
+POV-Ray lists files that it reads or looks for in vain (TILT_LENS_FILE_LIST). The key hashes those of the first render, a unit's record
+further ones. A part is reused only if no file has changed or appeared."""
 
 import hashlib
 import json
@@ -58,7 +58,6 @@ def listed_files(path, links):
 
 
 def file_stamp(path):
-    """While the stamp stays, the hash is not computed again."""
     state = os.stat(path)
     return [state.st_size, state.st_mtime_ns, state.st_ino]
 

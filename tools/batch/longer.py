@@ -73,7 +73,6 @@ def sets_clock(inputs):
 
 
 def objection(work, old, new, inputs):
-    """The reason why frames would differ in the longer film, or None."""
     frames = len(new["pictures"])
     code = {path: code_of(path) for path in files_of(work, old)}
     for path, text in code.items():
@@ -96,7 +95,6 @@ def objection(work, old, new, inputs):
 
 
 def lengthen(work, request, stored, new):
-    """Adds frames, or returns the objection."""
     old = stored["key"]
     longer = request.kind == old["kind"] == "film" and len(new["pictures"]) > len(old["pictures"]) > 1
     if not longer or new["pictures"][: len(old["pictures"])] != old["pictures"]:

@@ -80,7 +80,6 @@ def deliver(source, target):
 
 
 def merged_files(work, key, picture):
-    """{rest of the name: (path, hash of the pixels)}."""
     records = band_records(work, key, picture)
     rests = set(records[0][1]["files"])
     for name, record in records:

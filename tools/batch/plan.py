@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Plans a batch from a command line.
 
-A band is a range of a picture's rows; a unit is one band of one picture, rendered, kept and repeated as a whole. A task is a sequence of
+A band is a range of a picture's rows. A unit is one band of one picture, rendered, kept and repeated as a whole. A task is a sequence of
 units."""
 
 import decimal
@@ -28,7 +28,6 @@ def safe_name(path, fallback):
 
 
 def chosen(text, last):
-    """Indices (from 0) of the frames of --only, such as 5-8,12."""
     found = set()
     for part in text.split(","):
         match = re.fullmatch(r"(\d+)(?:-(\d+))?", part.strip())
@@ -139,7 +138,6 @@ def read_ini(path):
 
 
 def main_ini(program, folder):
-    """The INI file that POV-Ray would choose, and those that it looks for before."""
     prefix = os.path.dirname(os.path.dirname(os.path.realpath(program)))
     named = os.environ.get("POVINI")
     candidates = [named] if named else []

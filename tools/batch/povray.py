@@ -35,7 +35,6 @@ def version(program):
 
 
 def arguments(description, picture, rows, size=None):
-    """`size`: for a small version of the picture."""
     key = description["key"]
     words = [*key["options"], *picture["options"]]
     words += [f"+I{description['input']}", *(f"+L../../inputs/{name}" for name in description["searched"])]

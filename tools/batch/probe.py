@@ -88,7 +88,6 @@ class Probe:
         return {"picture": processor * pixels / self.description["threads"], "start": max(0.1, seconds - wall)}
 
     def seam(self, size, aligned):
-        """True if cuts change the small picture."""
         small = self.small_size(size)
         cut = 32 if aligned else 19
         if small[1] <= cut or re.search(r"^Tilt Lens Sampling", self.small[1], re.MULTILINE):

@@ -63,7 +63,7 @@ class Running:
 
 
 class Progress:
-    """One line, overwritten on a terminal, repeated now and then elsewhere."""
+    """Overwritten on a terminal, repeated now and then elsewhere."""
 
     def __init__(self, work, description, quiet=False):
         self.work, self.description, self.quiet = work, description, quiet
@@ -92,7 +92,6 @@ class Progress:
         )
 
     def at_work(self, state):
-        """The longest-running units; once, a hint about a slow one."""
         units = [Running(self.work, name, self.description) for name in sorted(state.running)[:LOOKED_AT]]
         units.sort(key=lambda unit: -unit.seconds)
         if units and units[0].seconds > LONG and not self.hinted and not self.description.get("limit"):

@@ -22,7 +22,6 @@ def columns(sets, count):
 
 
 def thumb(link, target, size, label):
-    """Converts linear values for display."""
     width, height = size
     words = [link, "--ch", "R,G,B"]
     if link.endswith(".exr"):

@@ -40,7 +40,6 @@ def command(*words):
 
 
 def largest_array():
-    """By the site's MaxArraySize."""
     found = re.search(r"MaxArraySize\s*=\s*(\d+)", command("scontrol", "show", "config"))
     return int(found.group(1)) if found else 1001
 
@@ -87,7 +86,6 @@ def log_name(work, name):
 
 
 def submit(work, description, tasks, settings):
-    """Returns the job numbers of array and last step."""
     common = ["sbatch", "--parsable", "--open-mode=append", f"--chdir={work.folder}", *site_options(settings)]
     limit = f"%{settings.workers}" if settings.workers else ""
     array = command(

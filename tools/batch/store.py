@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Files of a batch, and how they are written so that no crash can spoil them.
 
-In the work folder, in addition to those of docs/batch.md:
+In the work folder, besides those of docs/batch.md:
 
     lock       held by the front end
-    inputs/    links to the scene, its folder and other folders, under names that POV-Ray can take
+    inputs/    links to the scene and other folders, under names that POV-Ray can take
     probe/     the first small renders
 """
 
@@ -24,7 +24,7 @@ class BatchError(Exception):
 
 
 class UsageError(BatchError):
-    """The command line is wrong."""
+    pass
 
 
 def sha256(path):
@@ -74,7 +74,6 @@ def write_json(path, value):
 
 
 def read_json(path):
-    """None if missing or not JSON."""
     try:
         return json.loads(pathlib.Path(path).read_text(encoding="utf-8"))
     except (OSError, ValueError):

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Renders a task's units in turn and joins finished pictures. If a worker dies, POV-Ray dies with it, and its state file is continued."""
+"""Renders a task's units in turn and joins finished pictures. POV-Ray dies with its worker, and its state file is continued."""
 
 import contextlib
 import fcntl
@@ -21,7 +21,6 @@ class Changed(BatchError):
 
 
 def stamps_before(description, folder):
-    """Stamps of the files known from the key or an earlier try."""
     files = set(description["key"]["files"])
     with contextlib.suppress(BatchError):
         files |= keys.listed_files(folder / "files", keys.Links(description["links"]))[0]

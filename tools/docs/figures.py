@@ -89,7 +89,6 @@ def render(povray, folder, scene, options, size, output):
 
 
 def make_pictures(povray, names):
-    """Makes all pictures if no name is given."""
     unknown = set(names) - set(MADE)
     if unknown:
         sys.exit(f"no such picture: {', '.join(sorted(unknown))}. Known: {', '.join(MADE)}")
@@ -132,7 +131,6 @@ def quality_table(povray):
 
 
 def make_drawings(names, folder=DRAWINGS):
-    """Makes all drawings if no name is given."""
     if shutil.which("gnuplot") is None:
         sys.exit("gnuplot is missing: apt-get install gnuplot-nox")
     scripts = {script.stem: script for script in sorted(SCRIPTS.glob("*.gp")) if script.stem != "common"}

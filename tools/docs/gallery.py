@@ -70,7 +70,6 @@ def number(pattern, text, what):
 
 
 def render(scene, arguments):
-    """Returns its file and its line of the table."""
     picture = arguments.output / f"{scene.name}{'_small' if arguments.small else ''}.png"
     command = povray_run.command(
         arguments.povray,

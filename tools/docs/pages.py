@@ -29,7 +29,7 @@ MARKER = re.compile(r"^\s*<!--\s*(example|output of)\b:?\s*(.*?)\s*-->\s*$")
 
 
 class BadPage(Exception):
-    """A page that breaks these rules; the message has the place and the remedy."""
+    pass
 
 
 @dataclasses.dataclass
@@ -119,7 +119,6 @@ def examples_of(blocks):
 
 
 def commands_of(page, text):
-    """(line, command); continued lines are joined."""
     found, inside, fenced = [], False, ""
     lines = text.split("\n")
     for number, line in enumerate(lines, 1):

@@ -42,7 +42,6 @@ class Editor:
             await self.tell(view, {**told, "chosen": view.chosen})
 
     def begin(self, work, failed, tell):
-        """Starts a task after the one before."""
         self.task = started(self.answered(work, failed, tell, self.task))
 
     async def answered(self, work, failed, tell, previous):
@@ -96,7 +95,6 @@ class Editor:
         return self.replaced(view, before, after, 0) if request["write"] else {"state": "tried"}
 
     async def tried(self, request, view):
-        """Changes nothing; returns the answer for the page."""
         await self.change(request, view)
         return {"state": "tried"}
 

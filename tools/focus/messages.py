@@ -112,7 +112,7 @@ def not_finite(word):
 
 
 def read(sent):
-    """Returns a message's type and members. @throws BadRequest"""
+    """@throws BadRequest"""
     try:
         message = json.loads(sent, parse_constant=not_finite)
     except (ValueError, RecursionError):

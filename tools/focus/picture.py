@@ -23,7 +23,7 @@ def display(colours, gamma):
 
 
 class TruePicture:
-    """`number` counts requests; `values` are the pixels so far (rows, columns, 4); `file` is the finished file."""
+    """`number` counts requests; `values` (rows, columns, 4) are the pixels so far."""
 
     def __init__(self, session):
         self.session = session

@@ -62,8 +62,6 @@ def with_quotes(option):
 
 
 class Render:
-    """A background run leaves the processors to the page."""
-
     def __init__(self, program, folder, name, background=False):
         self.program, self.folder, self.name = program, folder, name
         self.niceness = BACKGROUND if background else 0

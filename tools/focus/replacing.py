@@ -28,7 +28,6 @@ def require_writable(path):
 
 
 def require_same(found, expected):
-    """@throws EditError the contents have changed"""
     if found != expected:
         raise EditError("the scene's file was changed meanwhile by somebody else")
 
@@ -48,7 +47,6 @@ def replace(path, before, after):
 
 
 def replaced_in_one_step(path, info, before, after):
-    """False if that would change the owner."""
     handle, new = tempfile.mkstemp(prefix=".focus-", dir=os.path.dirname(path))
     try:
         with open(handle, "wb") as stream:

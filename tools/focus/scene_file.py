@@ -47,7 +47,6 @@ def seen_from(location, block):
 
 
 def differences(camera, expected):
-    """Names of the properties in which a camera differs from the expected one."""
     block, wanted = camera["block"], expected["block"]
     if block is None:
         return ["camera"]
@@ -106,7 +105,6 @@ class SceneFile:
         return os.path.basename(copy)
 
     def keep(self, data):
-        """Returns the backup's path."""
         with replacing.in_words("no copy of the scene can be kept in its folder"):
             for number in itertools.count(1):
                 copy = f"{self.path}.before-focus" + (f"-{number}" if number > 1 else "")
@@ -133,7 +131,6 @@ class SceneFile:
 
     @staticmethod
     def files_read(file_list, own):
-        """Without those in our own folder."""
         try:
             entries = open(file_list, "rb").read().split(b"\0")
         except OSError:

@@ -29,7 +29,6 @@ POLICY = (
 
 
 def page_files():
-    """{name: (contents, type)}."""
     return {path.name: (path.read_bytes(), TYPES[path.suffix]) for path in PAGE.iterdir() if path.suffix in TYPES}
 
 

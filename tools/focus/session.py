@@ -65,7 +65,6 @@ class Session:
         return [*self.settings.options.words, *wrapper.search(self.settings, self.folder), *words]
 
     def start_preview(self):
-        """For the first page."""
         self.begin(self.settings.options.clock, None, self.settings.options.size)
 
     def begin(self, clock, frame, size):
@@ -89,7 +88,6 @@ class Session:
         preview.show_to(view)
 
     def drop_unused(self, wanted):
-        """Keeps the wanted one and the one for new pages."""
         options = self.settings.options
         first = (options.clock, None, list(options.size))
         for preview in self.previews.copy():
@@ -111,7 +109,7 @@ class Session:
         self.file.watch(set().union(*(preview.files for preview in self.previews)))
 
     def described(self, error):
-        """With its line. Prints a fault of this program as well."""
+        """Prints a fault of this program as well."""
         if isinstance(error, OSError):  # such as a full disk
             error = RenderError(f"The picture cannot be made: {error.strerror}")
         elif isinstance(error, EditError):

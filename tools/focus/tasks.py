@@ -19,13 +19,12 @@ def started(coroutine):
 
 
 async def ended(task):
-    """Ignores the outcome. The task may be None."""
+    """Ignores the outcome."""
     if task:
         await asyncio.wait([task])
 
 
 async def stopped(task):
-    """The task may be None."""
     if task:
         task.cancel()
     await ended(task)

@@ -18,7 +18,6 @@ PREVIEW, PICTURE = 1, 2  # of a rectangle for the page
 
 
 def packed(kind, number, left, top, values):
-    """Six whole numbers, then the values."""
     rows, columns = values.shape[:2]
     head = struct.pack("<6I", kind, number, left, top, columns, rows)
     return head + numpy.ascontiguousarray(values).tobytes()
@@ -35,7 +34,6 @@ class Tile:
 
 
 def attributes(message):
-    """{name: bytes, or numbers for vectors}."""
     (count,) = struct.unpack(">i", message[24:28])
     found, at = {}, 28
     for _ in range(count):
@@ -52,7 +50,6 @@ def attributes(message):
 
 
 def tile_of(message):
-    """None for other messages."""
     found = attributes(message)
     try:
         left, top, right, bottom = (struct.unpack(">i", found[name])[0] for name in (b"Left", b"Top ", b"Righ", b"Bott"))
@@ -79,7 +76,6 @@ class StateFile:
         self.data = b""  # header and unread bytes
 
     def tiles(self):
-        """Completed since the last call."""
         self.data += self.stream.read()
         ends = whole_messages(self.data)
         for at, end in zip(ends, ends[1:]):

@@ -22,7 +22,6 @@ def vector(values):
 
 
 def write(folder, scene, camera, inside, name="scene"):
-    """`inside`: rest of the camera. Returns the path."""
     text = open(scene, encoding="latin-1").read()
     version = scene_text.version_of(text)
     included = str(scene)

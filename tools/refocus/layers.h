@@ -27,7 +27,7 @@ struct Mistake : std::runtime_error
 
 double Dot(const Vec3& a, const Vec3& b);
 
-/// Points X with normal.X = distance, in world coordinates.
+/// Points X with normal.X = distance, world coordinates.
 struct Plane
 {
     Vec3 normal;

@@ -39,7 +39,6 @@ export function writeAddress(kept) {
     history.replaceState(null, "", `#${text.replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "")}`);
 }
 
-/// The value that writeAddress() stored; null without one.
 export function readAddress() {
     try {
         const text = atob(location.hash.slice(1).replaceAll("-", "+").replaceAll("_", "/"));

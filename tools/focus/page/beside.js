@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The other lens's picture and numbers.
-
 import { blurOfPoint, project } from "./lens.js";
 import { openBlur } from "./blur.js";
 import { pixels, stop } from "./more.js";

@@ -46,13 +46,12 @@ export function threePoints(model) {
     return [first, along(first, size, x), along(first, size, y)];
 }
 
-/// Digits follow the distance from the lens.
 const pointIn = ({ inverse }, lens) => world => {
     const local = movedPoint(inverse, world);
     return roundedVector(local, length(subtract(local, movedPoint(inverse, lens.location))));
 };
 
-/// Millimetres on the film, as the text states it.
+/// Millimetres on the film.
 function widestBlur({ within, onFilm, width }, { filmWidth }) {
     const blur = within * filmWidth / width;
     return onFilm ? rounded(blur) : blur;
@@ -94,7 +93,6 @@ function focusItems(block, { within, onFilm }) {
     return [block.tilt && `tilt ${text(block.tilt)}`, block.swing && `swing ${text(block.swing)}`];
 }
 
-/// In world coordinates.
 function expected(block, { matrix, inverse, scale }, camera, { width }) {
     const plane = planeBefore(inverse, { normal: unit(block.planeNormal), distance: block.planeDistance });
     const world = {
@@ -146,13 +144,11 @@ export function describe(model, form, place = model.place) {
     };
 }
 
-/// For the camera, and for a camera without transformations, which takes no items.
 export function change(model, form) {
     const { block, expect } = describe(model, form === "angles" ? "plane" : form, { ...WORLD, scale: model.place.scale });
     return { ...describe(model, form), behind: { block, expect } };
 }
 
-/// Some keys, and one time between two.
 function timesToTry(keys) {
     const times = (keys.length <= 4 ? keys : [keys[0], keys[1], keys.at(-1)]).map(key => key.time);
     return [...times, keys[0].time + (keys[1].time - keys[0].time) / 4];

@@ -1,9 +1,8 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The live picture: draws the preview through a lens on the graphics processor.
-///
-/// A change draws one pass at reduced size; at rest, passes at full size are averaged.
+/// Draws the preview through a lens on the graphics processor: a change draws one pass at reduced size; at rest, passes at full size are
+/// averaged.
 
 import { along, cross, dot, length, times, unit } from "./vector.js";
 import { axisFocusOf, blurPerVergence, frameMap, inFrame, planeOfBlur } from "./lens.js";
@@ -13,7 +12,7 @@ import { DISPLAY, GATHER, LIST } from "./shaders.js";
 
 const WANTED = 24;         // milliseconds for a picture during motion: 30 per second with the rest of the page
 const SMALLEST = 0.125;    // of the full size, during motion
-const SIZES = 16;          // steps of that size, because a change takes time
+const SIZES = 16;          // steps of the size, because a change takes time
 const MOVING_TAPS = 16, RESTING_TAPS = 32;
 const PASSES = 24;         // until the picture is smooth
 const STRIP = 20;          // milliseconds for a part of a pass at full size, for which a click waits
@@ -39,7 +38,7 @@ function lensPointList(corners, turn) {
     return list;
 }
 
-/// 1/distance at x, y of a film; 0 without a surface, NaN outside the preview.
+/// 1/distance; 0 without a surface, NaN outside the preview.
 export function inverseDepthOf({ values, width, height, frame }, lens, x, y) {
     const [ox, oy, fx, fy] = frameMap(lens, frame);
     const column = Math.floor((ox + fx * x + 0.5) * width), row = Math.floor((0.5 - oy - fy * y) * height);
@@ -87,7 +86,6 @@ class Blur {
         this.undisplayed = false; // a pass is complete but not yet shown
     }
 
-    /// The preview is empty, or has the values of another picture of that size.
     begin(width, height, values = null) {
         this.width = width;
         this.height = height;
@@ -140,7 +138,6 @@ class Blur {
         return this.undisplayed || this.pass === 0 || (this.blurs && this.pass < PASSES && this.spent < this.patience);
     }
 
-    /// In motion the whole picture, reduced; else a part of a pass.
     draw(moving) {
         if (!this.values || !this.lens || !this.frame)
             return;
@@ -169,7 +166,6 @@ class Blur {
     }
 
     adapt(moving, part, time) {
-        // the change of size takes time as well
         const usual = this.wasMoving || time > 2 * WANTED;
         this.work = time;
         this.wasMoving = moving;

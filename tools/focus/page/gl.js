@@ -29,7 +29,6 @@ export function newTexture(gl) {
     return texture;
 }
 
-/// A texture of 32-bit floats with its framebuffer.
 export function newTarget(gl) {
     const texture = newTexture(gl), framebuffer = gl.createFramebuffer(), target = { texture, framebuffer };
     setSize(gl, target, [1, 1]);
@@ -38,7 +37,6 @@ export function newTarget(gl) {
     return target;
 }
 
-/// A change discards the contents.
 export function setSize(gl, target, size) {
     if (target.size && target.size[0] === size[0] && target.size[1] === size[1])
         return;

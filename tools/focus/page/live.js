@@ -98,13 +98,11 @@ export class Live {
         return 0;
     }
 
-    /// World coordinates, or null.
     surfaceAt(x, y) {
         const inverse = this.inverseDepthAt(x, y);
         return inverse > 0 ? pointAt(this.model.lens, x, y, 1 / inverse) : null;
     }
 
-    /// @returns true if the preview can show it
     show() {
         const { blur, model } = this;
         this.lastChange = performance.now();
@@ -117,7 +115,6 @@ export class Live {
         return true;
     }
 
-    /// In a Blur of its own; null: none.
     showBeside(blur, twin) {
         if (!blur || !this.fits) {
             this.second = null;

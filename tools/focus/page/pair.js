@@ -23,7 +23,6 @@ export class Pair {
         return nameOfOther[this.shown];
     }
 
-    /// Without a last change that no lens fulfils.
     get present() {
         const { error, past, state } = this.model;
         return { state: error && past.length ? JSON.parse(past.at(-1)) : structuredClone(state), past };
@@ -50,7 +49,6 @@ export class Pair {
         this.model.remembered();
     }
 
-    /// Null unless both pictures are shown.
     get twin() {
         const { model } = this;
         if (!this.beside || model.open || !model.lens)

@@ -9,7 +9,6 @@ export const SHARP = 0.005;
 /// A smaller difference of blur is rounding.
 const BINDS = 1 - 1e-6;
 
-/// Distances count in the picture.
 export function nearestPick({ lens, picks }, point) {
     const at = project(lens, point);
     const far = picks.map(p => {
@@ -41,7 +40,6 @@ export function sharpnessOf({ lens, picks, width, block, camera }) {
     };
 }
 
-/// Nearest to the picture's centre first.
 export function visiblePoints(lens) {
     const found = [];
     for (const [x, y] of [[0, 0], [-0.25, -0.25], [0.25, -0.25], [0, 0.3], [0, -0.45], [-0.3, 0.2], [0.3, 0.2]]) {

@@ -16,7 +16,6 @@ export function buildProbe(model, live) {
         model,
         describe: form => describe(model, form),
 
-        /// Null before the first picture; milliseconds.
         get live() {
             const { frame, pass, work } = blur, { complete, refined } = live, smooth = live.blurs.every(each => !each.unfinished);
             return blur.values && frame ? { size: size(), location: frame.location, complete, refined, passes: pass, smooth, work } : null;
@@ -46,7 +45,6 @@ export function buildProbe(model, live) {
             return pixels;
         },
 
-        /// At the live picture's size, like truePixels.
         otherPixels: () => read(document.getElementById("other-picture"), size()),
 
         truePixels: () => read(document.getElementById("truth"), size()),

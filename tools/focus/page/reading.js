@@ -34,7 +34,6 @@ export function buildReading(find, model, blur, at) {
     const picture = find("picture"), loupe = find("loupe"), scale = find("loupe-scale"), said = find("reading");
     let place = null;
 
-    /// Enlarges the live picture's pixels around the place.
     const drawLoupe = () => {
         loupe.hidden = !(find("show-loupe").checked && place && blur.values && blur.lens);
         if (loupe.hidden)

@@ -12,7 +12,6 @@ void main() {
     gl_Position = vec4(corner, 0.0, 1.0);
 }`;
 
-/// The preview (red, green, blue, 1/distance along the axis), the frame, the lens.
 const SCENE = `#version 300 es
 precision highp float;
 precision highp int;
@@ -99,7 +98,7 @@ void main() {
     int start = startAt(pixel);
     float ownRadius = abs(own) * pixelsPerVergence;
 
-    // rays through the lens that meet this surface, or a farther one beside it; nearer surfaces are added below
+    // rays that meet this surface, or a farther one beside it; nearer surfaces are added below
     vec3 sum = self.rgb;
     float count = 1.0;
     if (ownRadius > 0.5) {

@@ -48,7 +48,7 @@ class Span {
 
 const NO_CIRCUIT = { rows: [], weights: [], deviation: ZERO };
 
-/// Independent rows whose span holds `last`, without superfluous ones.
+/// Independent rows whose span holds `last`.
 function circuitOf(rows, independent, last) {
     const found = [], weights = [];
     for (const i of independent) {
@@ -91,7 +91,6 @@ function greatestCircuit(rows, few) {
     return greatest;
 }
 
-/// The other rows take the free part of k.
 function solveBeside(rows, circuit, same) {
     const span = new Span(), { deviation } = circuit;
     circuit.rows.slice(0, -1).forEach((row, i) => span.add(rows[row], circuit.weights[i][0] > 0 ? deviation : negative(deviation)));
@@ -133,7 +132,6 @@ function strictSolution(rows, same) {
     return { k, circuit: isLess(circuit.deviation, empty.deviation) ? empty : fuller };
 }
 
-/// The unit of z changes no k.
 function rowsOf(points, camera, axis) {
     const across = acrossBoth(exactVector(camera.right), exactVector(camera.up)), side = exact(scalar(across, exactVector(axis))[0] < 0 ? -1 : 1);
     return points.map(point => {

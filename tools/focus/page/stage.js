@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// Points picked and dragged by mouse, finger or keys; the wipe between live and true picture.
+/// Points picked and dragged by mouse, finger or keys, and the wipe.
 
 import { project } from "./lens.js";
 import { pixels } from "./more.js";

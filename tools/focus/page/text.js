@@ -32,7 +32,6 @@ export function buildText(find, model, kept, ask) {
     const block = find("block"), said = find("file-said");
     let chosen = null, copied = "";
 
-    /// Points where the plane follows from them.
     const form = () => chosen ?? (model.block.family === "sharp" ? "points" : "plane");
     const show = () => {
         block.textContent = copyText(describe(model, form()), kept());

@@ -27,10 +27,8 @@ export function buildTruth(find, stage, pair, previewSize, clockOf, ask) {
     };
     const keyOf = ({ camera: { location, direction, right, up }, block }) => JSON.stringify([location, direction, right, up, block]);
 
-    /// Between the true and the live picture: "", "lens" or "time".
     const difference = of => (keyOf(last.lens) !== keyOf(wanted(of)) ? "lens" : (last.lens.clock ?? 0) !== (clockOf() ?? last.lens.clock ?? 0) ? "time" : "");
 
-    /// Dims a picture of another lens.
     const show = () => {
         if (!last)
             return;
