@@ -4,7 +4,7 @@
 
     python3 -m tools.docs.gallery                       all of them
     python3 -m tools.docs.gallery chess_by_swing        one
-    python3 -m tools.docs.gallery --small               thumbnails only, in a seventh of the time
+    python3 -m tools.docs.gallery --small               thumbnails only, in a seventh of the time.
 
 Size and options of a picture are those of the command in the scene's opening comment. The full pictures stay in the output folder. With
 --small, the table has the thumbnails' size.
