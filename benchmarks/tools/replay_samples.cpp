@@ -133,7 +133,7 @@ json Replay(const Recording& recording, SamplingLimits limits, double variance, 
         {"variance", variance}, {"denoise", denoise}, {"mse", error / pixels}, {"beyond", beyond / pixels}, {"samples", samples / pixels}};
 }
 
-} // namespace
+}  // namespace
 
 int main(int count, char** values)
 {
