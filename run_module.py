@@ -15,7 +15,6 @@ import sys
 
 
 def main():
-    """The command."""
     if len(sys.argv) < 2 or sys.argv[1] in ("-h", "--help"):
         sys.exit(__doc__)
     del sys.argv[0]

@@ -1,11 +1,9 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The worth of each rule of the sampler: the work for the same error without it.
+"""The worth of each rule of the sampler: the work, in samples a pixel, for the same error without it.
 
-The first samples of every pixel are recorded once for a scene; a sample depends on its pixel and its number alone. Rules of the emitter
-sampling change samples and are recorded anew, in scenes with lamps.
-
-Work is samples a pixel. The error is that against the mean of all recorded samples, of which a pixel gets at most a quarter."""
+The first samples of every pixel are recorded once for a scene, since a sample depends on its pixel and its number alone. Only rules of
+the emitter sampling change samples. The error is that against the mean of all recorded samples, of which a pixel gets at most a quarter."""
 
 import json
 import math
@@ -23,7 +21,7 @@ OF_BENCHMARK = ("checks", "foliage", "town", "glass", "lights", "shadows", "land
 OF_GALLERY = tuple(path.stem for path in sorted(GALLERY.glob("*.pov")))
 WITH_LAMPS = ("lights", "city_lights")
 VARIANCES = (4e-3, 1e-3, 2.5e-4)
-LEAST_KEPT = 1e-3  # the recorded samples suffice for this variance, in every scene but the following
+LEAST_KEPT = 1e-3  # the recorded samples suffice for this variance
 TOO_FEW_SAMPLES = ("chess_at_night",)
 NEVER, ALWAYS = "1e30", "0"
 
@@ -46,7 +44,6 @@ RULES = (
     ("forecast of the reconstruction", 6, f"forecastCost={NEVER}"),
     ("forecast only where it may save its time", 6, f"forecastCost={ALWAYS}"),
 )
-# Rules that change samples.
 EMITTER_RULES = (
     ("choice of the film point", 4, f"lensPointBlur={ALWAYS}"),
     ("half of the samples at emitters, not a quarter", 4, "emitterShare=0.25"),
@@ -125,7 +122,7 @@ def replay(lab, path, lines):
 
 
 def work_for(curve, mse):
-    """On straight lines of logarithms; ends are lengthened with the slope -1 of independent samples."""
+    """On straight lines of logarithms, beyond the ends with the slope -1 of independent samples."""
     points = sorted((math.log(record["mse"]), math.log(record["samples"])) for record in curve if record["mse"] > 0)
     wanted = math.log(mse)
     if wanted <= points[0][0]:
@@ -145,19 +142,17 @@ def ratio(base, other):
 
 
 def kept(records):
-    """Mean square error over V, and the share of pixels far off: the contract's limits."""
+    """The contract's limits: mean square error over V, and the share of pixels far off."""
     records = [record for record in records if record["variance"] >= LEAST_KEPT]
     return max(record["mse"] / record["variance"] for record in records), max(record["beyond"] for record in records)
 
 
 def worst(found, name):
-    """The greatest, and its scene."""
     row = max((row for row in found if row[name] is not None), key=lambda row: row[name])
     return row[name], row["scene"]
 
 
 def summary(rule, found):
-    """Means over the scenes, and the worst scenes."""
     name, section, settings = rule
     return {
         "rule": name,

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The accumulation buffer: the mean of pinhole pictures of the unpatched program, its only way to tilt the plane of sharp focus."""
+"""The mean of pinhole pictures of the unpatched program, its only way to tilt the plane of sharp focus."""
 
 import concurrent.futures
 import dataclasses
@@ -10,12 +10,12 @@ import shutil
 
 from benchmarks.lab import ACCUMULATE, TILT_LENS, Failed, cpu_of_rays, digest, run_measured
 
-PROCESSES = os.cpu_count() or 1  # more would take the caches from each other, and longer
+PROCESSES = os.cpu_count() or 1  # more would take the caches from each other
 
 
 # a PNG would clip lights before they are averaged
 def frames(lab, shot, first, last, count, folder):
-    """Returns CPU seconds of the rays alone, as the program reports them, and of the whole process."""
+    """CPU seconds of the rays alone, and of the process."""
     command = shot.command(
         lab.stock, folder / "f.exr", *lab.gathered_light(shot), "+FE", "+KFI1", f"+KFF{count}", f"+SF{first}", f"+EF{last}"
     )
@@ -34,12 +34,10 @@ def cpu_of_frames(lab, shot, count, folder):
 
 
 def frames_of(lab, scene, tilted):
-    """Greatest number; fewer where the picture is only drawn."""
     return min(scene.quick_frames, scene.frames) if lab.quick else scene.frames if tilted else scene.frames // 4
 
 
 def measure(lab, scene, tilted):
-    """(CPU seconds of the rays, RMSE)."""
     count = frames_of(lab, scene, tilted)
     shot = scene.shot(ACCUMULATE, tilted)
     reference = lab.reference(dataclasses.replace(shot, form=TILT_LENS), *scene.reference)

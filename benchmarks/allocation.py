@@ -3,7 +3,7 @@
 """The adaptive sampler's error over that of uniform sampling with as many rays, and over that of perfect knowledge.
 
 Perfect knowledge follows from uniform pictures with 2, 4, 8, ... samples: each group of 8 by 8 pixels takes the number n that makes its
-squared error plus lambda n least. One half of the pictures chooses the numbers and the other judges them."""
+squared error plus lambda n least. Half of the pictures choose the numbers and the others judge them."""
 
 from benchmarks import gallery, suite
 from benchmarks.front import error_after
@@ -15,9 +15,9 @@ SAMPLES = (2, 4, 8, 16, 32, 64, 128)
 VARIANCES = (3e-3, 1e-3, 3e-4, 1e-4, 3e-5)
 QUICK_SAMPLES, QUICK_VARIANCES = SAMPLES[:5], VARIANCES[1:3]
 QUICK_SCENES = ("checks", "foliage", "town")
-PICTURES = 4  # of each setting, half of them to choose by
+PICTURES = 4  # half of them to choose by
 GROUP = 8
-MOST = 1024  # samples of a pixel of the adaptive sampler
+MOST = 1024
 REFERENCE = (2, 2048)  # pictures, samples a pixel of each
 LAMBDAS = [10 ** (-exponent / 6) for exponent in range(12, 61)]  # squared error saved by a sample
 
@@ -28,7 +28,6 @@ def middle(whole, size):
 
 
 def squares(lab, shot, reference):
-    """Squared errors of groups in independent pictures, mean number of samples, the reference's own error."""
     key = digest("squared errors of groups", lab.hashes[lab.ours], shot.settings(), shot.sources(), reference.name, PICTURES, GROUP)
     record = lab.runs.get((key, 0))
     if record is None:
@@ -56,7 +55,7 @@ def mean_by_group(lists):
 
 
 def ideal(even, sizes):
-    """(rays of a pixel, MSE) for each lambda. `even`: squared errors by number of samples and picture, `sizes`: values of each group."""
+    """(rays of a pixel, MSE) for each lambda. `even`: squared errors by number of samples and picture."""
     points = []
     counts, half = sorted(even), PICTURES // 2
     for weight in LAMBDAS:
@@ -73,12 +72,11 @@ def ideal(even, sizes):
 
 
 def sizes_of_groups(width, height):
-    """Three values a pixel, row by row."""
     return [3 * min(GROUP, width - x) * min(GROUP, height - y) for y in range(0, height, GROUP) for x in range(0, width, GROUP)]
 
 
 def compare(even, adaptive, sizes):
-    """For each adaptive record within the range of both curves."""
+    """Only adaptive records within the range of both curves."""
     values = sum(sizes)
     uniform = [(n, sum(mean_by_group(lists)) / values) for n, lists in even.items()]
     best = [point for point in ideal(even, sizes) if point[1] > 0]
@@ -119,7 +117,6 @@ def of_scene(lab, scene, whole):
 
 
 def scenes(lab, names):
-    """The benchmark's at both sizes, the gallery's at the larger one."""
     of_benchmark = [scene for scene in suite.SCENES if scene.name in names and (not lab.quick or scene.name in QUICK_SCENES)]
     of_gallery = [] if lab.quick else [suite.of_gallery(name, gallery.copy(lab, name)) for name in suite.DISPLAY if name in names]
     return [(scene, LARGE) for scene in of_benchmark + of_gallery] + [(scene, SMALL) for scene in of_benchmark]

@@ -23,15 +23,15 @@ BEGIN, END = "<!-- written by benchmarks/batch_scaling.py -->\n", "<!-- end -->\
 SCENE = ROOT / "scenes" / "tutorial" / "film.pov"
 POVRAY = BUILD / "bin" / "povray"
 TINY = (16, 12), "Declare=Stop=22"
-FRAMES = 12  # of the tiny films
+FRAMES = 12
 STILL = (640, 512), "Declare=Tilt=-8"  # eight bands of 64 rows
 EIGHT_K = (7680, 4320)
-FILM = 1440  # frames on paper: a minute at 24 a second
+FILM = 1440  # a minute at 24 a second
 NODES = 1000
 
 
 def measured(command, folder, env=None):
-    """With child processes: elapsed seconds, CPU seconds, the largest process in MB."""
+    """Elapsed seconds, CPU seconds, the largest process in MB, with child processes."""
     done = povray_run.run(command, folder, env or povray_run.user_environment(), limit=None)
     if done.code != 0:
         sys.exit(done.told())
@@ -58,7 +58,6 @@ class Measurements:
         return measured([ROOT / "batch", *words, "--output", output, "--povray", POVRAY, "--quiet"], self.folder, env)
 
     def start(self):
-        """The cost of each start: POV-Ray alone on a tiny picture."""
         command = povray_run.command(POVRAY, SCENE, "tiny.png", *TINY, "+WT1", library=[SCENE.parent])
         return [measured(command, self.folder) for _ in range(self.repeat)]
 
@@ -72,7 +71,6 @@ class Measurements:
         return runs
 
     def speed(self):
-        """One still in eight bands with 1, 2 and 4 workers, interleaved, and one POV-Ray with its own threads."""
         runs = {}
         whole = povray_run.command(POVRAY, SCENE, "whole.png", *STILL, library=[SCENE.parent])
         for _ in range(self.repeat):
@@ -84,7 +82,6 @@ class Measurements:
         return runs
 
     def large(self):
-        """8K: memory for one band, checking it, joining two."""
         width, height = EIGHT_K
         band = povray_run.command(
             POVRAY, SCENE, "band.exr", EIGHT_K, "+WT1", "+FE", "Declare=Stop=22", "+SR2145", "+ER2176", library=[SCENE.parent]
@@ -101,7 +98,6 @@ class Measurements:
 
 
 def dispatch_rate(repeat):
-    """An array job without work, on the private cluster of three nodes."""
     rates = []
     with tempfile.TemporaryDirectory(prefix="slurm.") as folder, Cluster(folder) as cluster:
         for _ in range(repeat):
@@ -144,9 +140,9 @@ def speed_rows(runs):
 
 
 def margin(runs, unit):
-    """Rows sampled beyond a band's edges: from eight bands' time beyond that of the whole picture and of the units."""
+    """Rows sampled beyond a band's edges, by the time of eight bands beyond that of the whole and of the units."""
     whole, bands, rows = (median(runs["povray +WT1"], 1), median(runs["batch, 1 worker"], 1), STILL[0][1])
-    return max(0.0, bands - whole - 10 * median(unit, 1)) / (2 * 7) / (whole / rows)  # 10: with two small renders
+    return max(0.0, bands - whole - 10 * median(unit, 1)) / (2 * 7) / (whole / rows)  # two small renders
 
 
 def paper_rows(costs, here):

@@ -246,7 +246,6 @@ def draw(folder, results, runs):
 
 
 def update_docs(folder, program, results):
-    """Other parts stay as they are."""
     for part, rows in results.items():
         pages.save(part, rows, program)
     for path in folder.glob("*.svg"):

@@ -13,7 +13,6 @@ ALL, RAYS = "tilt_lens::TileSampler::Run(*", "pov::Trace::TraceRay(*"
 
 
 def measure(lab, count=instructions.count):
-    """Instructions per ray, those of camera and sampler, their share."""
     lab.say("share of camera and sampler in the cost of a ray")
     rows = []
     for scene in SCENES[:1] if lab.quick else SCENES:

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Untilted against stock focal blur, tilted against the accumulation buffer. Parts `display` and `lamps`."""
+"""Parts `display` and `lamps`: against stock focal blur, and tilted against the accumulation buffer."""
 
 from benchmarks import accumulation, gallery, suite, tables, tilted, versus_stock
 

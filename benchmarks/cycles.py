@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""tilt_lens against Cycles on the emissive checks, which both can draw. Untilted: the lens of Cycles cannot be tilted."""
+"""tilt_lens against Cycles, whose lens cannot be tilted, on the emissive checks, which both can draw."""
 
 import json
 import math
@@ -25,7 +25,6 @@ def installed():
 
 
 def scene_told(lab):
-    """As the scene reports them."""
     shot = SCENE.shot(PINHOLE, declare=(("Tell", 1),))
     messages, _, _ = lab.render(lab.ours, lab.one_pixel(shot), lab.work / "cycles" / "told.png")
 
@@ -45,7 +44,7 @@ def scene_told(lab):
 
 
 def settings(quick):
-    """(name, samples, threshold, least samples); a threshold of 0 turns adaptive sampling off."""
+    """A threshold of 0 turns adaptive sampling off."""
     return [(str(samples), samples, 0, 0) for samples in (TARGETS[:3] if quick else TARGETS)] + [
         (f"{least},{most} {threshold:g}", most, threshold, least) for most, threshold, least in (ADAPTIVE[:4] if quick else ADAPTIVE)
     ]
@@ -79,7 +78,6 @@ def render_all(lab, folder, repetitions):
 
 
 def measure(lab):
-    """None without Blender."""
     if not installed():
         lab.say("Part cycles is skipped, because Blender is not installed (sudo apt-get install blender).")
         return None

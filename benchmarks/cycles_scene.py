@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Runs within Blender: builds the emissive checks and renders them with Cycles. cycles.py starts it with a file of scene and settings; each
-render prints a line `Cycles: ` with JSON.
+"""Runs within Blender: builds the emissive checks and renders them with Cycles. Each render prints a line `Cycles: ` with JSON.
 
 Exchanging y and z turns POV-Ray's left-handed axes into Blender's."""
 
@@ -26,7 +25,6 @@ def exchanged(vector):
 
 
 def emitting(name, colour):
-    """Emits the colour connected by `colour`."""
     material = bpy.data.materials.new(name)
     material.use_nodes = True
     nodes, links = material.node_tree.nodes, material.node_tree.links
@@ -92,7 +90,7 @@ def adjust(scene, size):
     scene.render.threads_mode, scene.render.threads = "FIXED", 1
     scene.render.image_settings.file_format, scene.render.image_settings.color_depth = "OPEN_EXR", "32"
     scene.cycles.device, scene.cycles.use_denoising, scene.cycles.max_bounces = "CPU", False, 0
-    scene.cycles.pixel_filter_type = "BOX"  # a pixel is the mean over its square, as in POV-Ray
+    scene.cycles.pixel_filter_type = "BOX"  # the mean over a pixel's square, as in POV-Ray
     scene.cycles.filter_width = 1.0
     scene.cycles.sample_clamp_direct = scene.cycles.sample_clamp_indirect = 0.0
 

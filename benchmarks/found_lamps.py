@@ -1,8 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Lamps far out of focus: in mirrors and textures, and such as the sampler cannot know, in patterns, glass and highlights. Default
-settings against fixed sampling with as many rays. Dark discs hardly change the error, so two figures are of the lamps alone: the share
-of light kept, and of dark pixels in their discs."""
+"""Lamps far out of focus: in mirrors and textures, and unknown to the sampler in patterns, glass and highlights. Default settings against
+fixed sampling with as many rays. Dark discs hardly change the error, hence the share of the lamps' light kept, and of dark disc pixels."""
 
 import dataclasses
 import math
@@ -14,10 +13,10 @@ FOLDER = SCENE_FOLDER / "found_lamps"
 SIZE, QUICK_SIZE = (320, 240), (160, 120)
 SEEDS = (1, 2, 3)
 FIRST_SEED = 101  # of the references; no picture shares them
-BATCHES = 4  # pictures of a reference
-LEAST_SAMPLES, MOST_SAMPLES, QUICK_MOST = 256, 16384, 1024  # of each of their pixels
+BATCHES = 4
+LEAST_SAMPLES, MOST_SAMPLES, QUICK_MOST = 256, 16384, 1024  # of each pixel of a reference
 GREATEST_NOISE = 0.1  # of a reference, in the MSE that is measured with it
-VARIANCE = 1e-4  # of the default settings
+VARIANCE = 1e-4
 
 
 @dataclasses.dataclass(frozen=True)
@@ -88,7 +87,7 @@ class Reference:
         return path
 
     def fine_enough(self, *sets):
-        """A reference whose error is far below some pictures' errors; and these."""
+        """A reference whose error is far below that of some pictures, and these."""
         samples, most = LEAST_SAMPLES, QUICK_MOST if self.lab.quick else MOST_SAMPLES
         while True:
             path = self.of(samples)
@@ -110,7 +109,6 @@ def mean(records):
 
 
 def pictures(lab, shot, folder, **values):
-    """One for each seed, and their mean rays a pixel."""
     made = [folder / f"{values.get('Samples', 'default')}-{seed}.exr" for seed in SEEDS]
     messages = [
         lab.render(lab.ours, dataclasses.replace(declared(shot, **values, Seed=seed), options=("+N",)), picture)[0]
@@ -148,7 +146,6 @@ def compared(lab, shot):
 
 
 def work(row):
-    """MSE times rays, over fixed sampling's."""
     return row["mse"] * row["samples"] / (row["fixed_mse"] * row["fixed"])
 
 

@@ -1,12 +1,10 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Fronts: a program's least CPU time for each error."""
 
 import math
 
 
 def pareto(points):
-    """(seconds, error) pairs of the Pareto front, the fastest first."""
     front = []
     for seconds, error in sorted(points):
         if not front or error < front[-1][1]:
@@ -15,7 +13,7 @@ def pareto(points):
 
 
 def seconds_for(points, error):
-    """On straight lines of logarithms. The fastest setting's time if it is already better; None if none is as good."""
+    """On straight lines of logarithms. None if no setting is as good; at least the fastest setting's time."""
     front = pareto(points)
     if not front or front[-1][1] > error:
         return None
@@ -29,7 +27,7 @@ def seconds_for(points, error):
 
 
 def error_after(points, seconds):
-    """Interpolated alike. None before the fastest setting; after the slowest one, its error, an upper bound."""
+    """None before the fastest setting; after the slowest one, its error, an upper bound."""
     front = pareto(points)
     if not front or front[0][0] > seconds:
         return None

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The gallery's scenes with the cameras that compete.
 
-The unpatched program cannot read their `tilt_lens`: copies use `camera.inc` with the reported numbers. The untilted variant keeps lens
-and focus, aimed at the middle of the picture. The diaphragm is round in all."""
+The unpatched program cannot read their `tilt_lens`: copies use `camera.inc` with the reported numbers and a round diaphragm. The
+untilted variant keeps lens and focus, aimed at the middle of the picture."""
 
 import json
 import math
@@ -35,7 +35,6 @@ def normalized(vector):
 
 
 def told(lab, name, folder):
-    """The camera's record, and the messages."""
     record = folder / "camera.json"
     command = povray_run.command(
         lab.ours,
@@ -66,7 +65,6 @@ def numbers(messages, words):
 
 
 def lens(view, messages):
-    """In the terms of camera.inc."""
     axis, right, up = (normalized(view[name]) for name in ("direction", "right", "up"))
     film, _, *shift = numbers(messages, "Film")
     _, diameter, units = numbers(messages, "Aperture")
@@ -86,7 +84,6 @@ def lens(view, messages):
 
 
 def untilted(tilted):
-    """Without tilt and shift, aimed and focused at the picture's middle."""
     eye, normal, (shift_right, shift_up) = tilted["Eye"], tilted["Normal_"], tilted["Shift_"]
     film_distance = tilted["Film_"] / 2 / math.tan(math.radians(tilted["Angle"] / 2))
     middle = total((film_distance, tilted["Axis_"]), (shift_right, tilted["Right_"]), (shift_up, tilted["Up_"]))
@@ -117,7 +114,6 @@ def declared(camera):
 
 
 def copy(lab, name):
-    """Made anew when the scene has changed."""
     original = (GALLERY / f"{name}.pov").read_text()
     path = lab.work / "scenes" / digest(original, (SCENES / "camera.inc").read_text()) / f"{name}.pov"
     if path.is_file():

@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A lens of glass, with 11 surfaces, beside an ideal one: callgrind's instructions in the sampling of tiles, without tracing. Wide open,
-where rims block rays, and stopped down."""
+"""A lens of glass, wide open, where rims block rays, and stopped down, beside an ideal one: callgrind's instructions in the sampling of
+tiles, without tracing."""
 
 from benchmarks import instructions, suite
 from benchmarks.camera_share import ALL, RAYS
@@ -14,7 +14,6 @@ SIZE = instructions.SIZE
 
 
 def measure(lab, count=instructions.count):
-    """Per ray, those of camera and sampler, their share."""
     lab.say("cost of a lens of glass")
     rows, rays = [], SAMPLES * SIZE[0] * SIZE[1]
     for scene in SCENES[:1] if lab.quick else SCENES:

@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The patches in scenes without tilt_lens: callgrind's instructions against the unpatched source. Also the inner loops, by Google
-Benchmark."""
+"""Scenes without tilt_lens: callgrind's instructions against the unpatched source. Also the inner loops, by Google Benchmark."""
 
 import json
 import re
@@ -57,7 +56,6 @@ def measure(lab, unpatched):
 
 
 def inner_loops(lab):
-    """Without the time for drawing the arguments."""
     lab.say("inner loops")
     program = lab.tools / "inner_loops"
     seconds = 0.05 if lab.quick else 0.3

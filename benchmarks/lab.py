@@ -19,7 +19,6 @@ PINHOLE, STOCK, TILT_LENS, ACCUMULATE = range(4)  # Form of scenes/camera.inc
 
 
 def digest(*parts):
-    """For JSON or bytes."""
     made = hashlib.sha256()
     for part in parts:
         made.update(part if isinstance(part, bytes) else json.dumps(part, sort_keys=True).encode())
@@ -49,7 +48,7 @@ class Shot:
     tilted: int = 0
     size: tuple = (200, 150)
     declare: tuple = ()  # (name, value) pairs
-    options: tuple = ()  # further options
+    options: tuple = ()
     threads: int = 1
     part: Part = None  # the larger picture that this is a part of
     folder: pathlib.Path = SCENES
@@ -81,7 +80,6 @@ class Shot:
         ]
 
     def place(self):
-        """Options of the tool `noise`."""
         return ["--at", f"{self.part.left},{self.part.top}"] if self.part and self.form == STOCK else []
 
     def independent(self, number):
@@ -95,7 +93,6 @@ class Shot:
         )
 
     def sources(self):
-        """The scene and this project's files in it."""
         found = povray_run.sources(self.folder / f"{self.scene}.pov", [SCENES, INCLUDE])
         return b"".join(path.read_bytes() for path in sorted(found, key=lambda path: path.name))
 
@@ -104,7 +101,7 @@ class Shot:
 class Lab:
     ours: pathlib.Path
     stock: pathlib.Path
-    tools: pathlib.Path  # the benchmark's tools
+    tools: pathlib.Path
     work: pathlib.Path
     quick: bool = False
 
@@ -132,7 +129,7 @@ class Lab:
         return [json.loads(line) for line in done.stdout.splitlines()]
 
     def render(self, program, shot, picture, low_priority=False):
-        """Linear 16-bit PNG, or OpenEXR for .exr; returns messages, CPU seconds, elapsed seconds."""
+        """Linear 16-bit PNG, or OpenEXR for .exr; returns messages, CPU and elapsed seconds."""
         picture.parent.mkdir(parents=True, exist_ok=True)
         picture.unlink(missing_ok=True)
         command = shot.command(
@@ -157,8 +154,8 @@ class Lab:
         return ["+RFI", f"+RF{path}", "Radiosity_Vain_Pretrace=off"]
 
     def reference(self, shot, batches, samples):
-        """Made once: mean of independent tilt_lens pictures with the same number of samples in each pixel."""
-        if shot.form == PINHOLE:  # a lens of almost no diameter: sharp as a pinhole
+        """The mean of independent tilt_lens pictures with the same number of samples in each pixel, made once."""
+        if shot.form == PINHOLE:  # sharp as a pinhole
             shot = dataclasses.replace(shot, form=TILT_LENS, declare=(("Blur", 1e-7), *shot.declare))
         samples = samples // 2 if self.quick else samples
         name = digest(shot.settings(), shot.sources(), batches, samples)
@@ -204,7 +201,6 @@ class Lab:
         return {**record, **about}
 
     def interleaved(self, programs_and_shots, repetitions, reference=None):
-        """Shots in turn; first records with median CPU seconds."""
         rounds = [
             [self.run(binary, shot, reference, repetition) for binary, shot in programs_and_shots] for repetition in range(repetitions)
         ]
@@ -219,7 +215,6 @@ class Lab:
             journal.write(json.dumps(record) + "\n")
 
     def start_up(self, program, shot):
-        """A run of one pixel."""
         return statistics.median(self.run(program, self.one_pixel(shot), repetition=i)["cpu"] for i in range(3))
 
     @staticmethod
@@ -229,12 +224,10 @@ class Lab:
 
 
 def cpu_of_rays(messages):
-    """One thread, without start and parsing, as reported."""
     found = re.findall(r"^  Trace Time:.*\n\s+using 1 thread\(s\) with ([0-9.]+) CPU-seconds", messages, re.M)
     return list(map(float, found))
 
 
 def samples_spent(messages):
-    """From the summary."""
     found = re.search(r"Samples per pixel\D+([\d.]+)\D+99\s?%\D*([\d.]+)\D+([\d.]+)", messages)
     return {} if not found else dict(zip(("samples", "samples_99", "samples_most"), map(float, found.groups())))

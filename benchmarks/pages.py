@@ -2,9 +2,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Keeps the results in docs/benchmarks, and shows them in the pages.
 
-A part, such as `stock`, stands between the lines `<!-- benchmark: stock -->` and `<!-- end of benchmark -->` of exactly one page in docs/,
-with program and machine.
-
+A part, such as `stock`, stands between the lines `<!-- benchmark: stock -->` and `<!-- end of benchmark -->` of exactly one page in docs/.
 A new part needs a measuring module, its call in benchmark.py, a section in report.py, and a place in a page."""
 
 import json
@@ -24,7 +22,6 @@ SUMMARIES = {
 
 
 def compact(value, indent=""):
-    """As much on a line as fits."""
     line = json.dumps(value)
     if len(indent + line) <= WIDTH or not isinstance(value, (dict, list, tuple)):
         return line

@@ -26,7 +26,6 @@ MINIMA = (1, 2, 4, 8)
 
 
 def shots(lab, scene):
-    """(program, setting, binary, shot), alternately."""
     stock = [
         ("+A", " ".join(options), lab.stock, scene.shot(PINHOLE, options=options))
         for options in (TARGETS[:3] if lab.quick else TARGETS + OTHERS)
@@ -44,7 +43,7 @@ def measure(lab, scene):
     lab.say(f"{scene.name}: a lens without blur, and anti-aliasing")
     reference = lab.reference(scene.shot(TILT_LENS, declare=SHARP), *scene.reference)
     chosen = shots(lab, scene)
-    short = lab.run(*chosen[0][2:], reference)["cpu"] < 0.2  # very short runs need more repetitions
+    short = lab.run(*chosen[0][2:], reference)["cpu"] < 0.2
     runs = lab.interleaved([entry[2:] for entry in chosen], 2 if lab.quick else 25 if short else 5, reference)
     return [
         {**run, "program": program, "setting": setting, "scene": scene.name, "rmse": math.sqrt(run["mse"])}
@@ -53,7 +52,6 @@ def measure(lab, scene):
 
 
 def compare(records):
-    """Over stock's least CPU time for each error."""
     fronts = {
         program: [(record["cpu"], record["rmse"]) for record in records if record["program"] == program] for program in ("+A", "tilt_lens")
     }

@@ -1,6 +1,5 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Curves by gnuplot."""
 
 import subprocess
 
@@ -37,7 +36,6 @@ def data(name, points):
 
 
 def errors(path, title, records):
-    """Runs as points, fronts as lines."""
     script = HEAD.format(output=path, title=title, x="CPU seconds", y="RMSE", key="top right")
     curves = []
     for number, (program, (name, point, colour)) in enumerate(LOOKS.items()):
@@ -51,7 +49,6 @@ def errors(path, title, records):
 
 
 def growth(path, name, rows):
-    """Without start and parsing; for threads also elapsed."""
     unit = rows[0]["unit"]
     script = HEAD.format(output=path, title=f"How cost grows with {name}", x=unit, y="seconds", key="top left")
     curves = []

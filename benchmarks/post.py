@@ -19,7 +19,6 @@ def lens_options(messages):
 
 
 def one(lab, scene, tilted, setting, reference):
-    """CPU seconds: picture, one of two depth pictures, blur."""
     key = digest(
         "post of OpenEXR",
         EDGES[setting],

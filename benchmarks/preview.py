@@ -1,6 +1,5 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The gallery's town with one sample in each pixel."""
 
 from benchmarks import gallery, suite
 from benchmarks.lab import TILT_LENS
@@ -10,7 +9,6 @@ REPETITIONS = 3
 
 
 def measure(lab):
-    """CPU seconds: whole run, rays with reconstruction."""
     lab.say("one sample in each pixel")
     scene = suite.of_gallery(SCENE, gallery.copy(lab, SCENE))
     whole = scene.shot(TILT_LENS, 1, size=suite.DISPLAY_SIZE, part=None, declare=suite.limits(1, 1, 1e-3))

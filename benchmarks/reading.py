@@ -9,7 +9,6 @@ REPETITIONS = 5
 
 
 def measure(lab):
-    """Start, parsing, hierarchies, end."""
     lab.say("reading the scenes of the gallery")
     rows = []
     for name in suite.DISPLAY:

@@ -10,7 +10,7 @@ from benchmarks.lab import PINHOLE, TILT_LENS, digest
 
 SIZE = (100, 75)  # callgrind takes fifty times as long as the program
 VARIANCES = (1e-2, 3e-3, 1e-3, 3e-4, 1e-4)
-PICTURES = 8  # independent pictures, whose mean shows the bias
+PICTURES = 8  # their mean shows the bias
 
 
 def setting(scene, variance, denoise):
@@ -24,7 +24,7 @@ def error_and_bias(lab, scene, shot):
     record = lab.runs.get((key, 0))
     if record is None:
         pictures = [lab.work / "bias" / f"{scene.name}-{number}.png" for number in range(1, PICTURES + 1)]
-        for number, picture in enumerate(pictures, scene.reference[0] + 1):  # independent of the reference
+        for number, picture in enumerate(pictures, scene.reference[0] + 1):
             lab.render(lab.ours, shot.independent(number), picture)
         (of_mean,) = lab.tool("noise", "prefixes", reference, *pictures, "--counts", PICTURES)
         of_each = lab.tool("noise", "errors", reference, *pictures)
@@ -36,7 +36,6 @@ def error_and_bias(lab, scene, shot):
 
 
 def measure(lab, scene, count=instructions.count):
-    """Without start and parsing."""
     lab.say(f"{scene.name}: with and without reconstruction")
     # by a pinhole: with a lens, one pixel needs its neighbours' samples
     start = count(lab, lab.ours, lab.one_pixel(scene.shot(PINHOLE, size=SIZE)))
@@ -51,7 +50,7 @@ def measure(lab, scene, count=instructions.count):
 
 
 def compare(rows):
-    """RMSE without over with reconstruction, after the work without it, in the common range. Else: most work of one, least of the other."""
+    """RMSE without over with reconstruction after equal work; without a common range, after the most of one and the least of the other."""
     off, on = ([(row["instructions"], row["rmse"]) for row in rows if row["denoise"] == denoise] for denoise in (0, 1))
     least = max(pareto(points)[0][0] for points in (off, on))
     most = min(pareto(points)[-1][0] for points in (off, on))

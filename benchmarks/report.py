@@ -1,8 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The results as Markdown tables, with their goals.
-
-A section makes paragraphs of a part's rows; `benchmarks/pages.py` puts them into the pages."""
+"""The results as Markdown tables, with their goals. A section makes paragraphs of a part's rows."""
 
 from benchmarks import suite
 from benchmarks.front import geometric_mean
@@ -99,7 +97,6 @@ def section_reading(rows):
 
 
 def denoise_ratios(rows):
-    """After the same work, by scene and variance."""
     scenes = dict.fromkeys(row["scene"] for row in rows)
     return {scene: compare([row for row in rows if row["scene"] == scene]) for scene in scenes}
 
@@ -582,7 +579,6 @@ def range_of(lines):
 
 
 def overview(results):
-    """CPU time by scene; means over the errors."""
     untilted, tilted = results["stock"], results["tilted"]
     rows = [[TITLES[scene], range_of(untilted[scene]), range_of(tilted[scene])] for scene in untilted if scene in tilted]
     together = [[line for lines in comparisons.values() for line in lines] for comparisons in (untilted, tilted)]

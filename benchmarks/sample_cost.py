@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The cost of a sample with all its rays: callgrind's instructions in the sampling of tiles, and the search for intersections. With a
-program to compare, also CPU seconds at sixteen times the pixels."""
+"""The cost of a sample with all its rays, by callgrind's instructions; with a program to compare, also by CPU seconds."""
 
 import dataclasses
 import statistics
@@ -26,14 +25,12 @@ ALL, INTERSECTIONS = "tilt_lens::TileSampler::Run(*", "pov::SceneHierarchy::Inte
 
 
 def seconds_over_before(lab, shot, before):
-    """Rays' CPU seconds: the median of successive pairs."""
     larger = dataclasses.replace(shot, size=TIMED_SIZE)
     pairs = [[lab.run(program, larger, repetition=i)["rays"] for program in (lab.ours, before)] for i in range(REPETITIONS)]
     return statistics.median(ours / theirs for ours, theirs in pairs)
 
 
 def measure(lab, before=None, count=instructions.count, seconds=seconds_over_before):
-    """Instructions a sample, the search's, and the program's of before, if any."""
     lab.say("instructions of a sample with all its rays")
     rows = []
     for shot in SHOTS:

@@ -1,6 +1,5 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Lamps that must be found, allocation of rays, threads."""
 
 from benchmarks import allocation, found_lamps, threads
 from benchmarks.front import geometric_mean
@@ -12,7 +11,6 @@ def percent(share, digits=1):
 
 
 def lamps_told(rows):
-    """Reported over true standard error, where there is one."""
     return [row["estimated"] / row["true"] for row in rows if row["true"]]
 
 

@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The program against the build without speedups (-DSPEEDUPS=OFF): callgrind's instructions of whole runs, and CPU seconds, the median
-ratio of successive runs."""
+"""Against the build without speedups (-DSPEEDUPS=OFF): callgrind's instructions, and the median ratio of CPU seconds of successive runs."""
 
 import statistics
 
@@ -14,7 +13,7 @@ QUICK = ("miniature_town", "glass")
 
 
 def cpu_ratio(lab, shot, without):
-    """CPU seconds without over with; both must take as many rays of the lens."""
+    """Both must take as many rays of the lens."""
     pairs = [[lab.run(program, shot, repetition=i) for program in (lab.ours, without)] for i in range(PAIRS)]
     if any(ours["samples"] != theirs["samples"] for ours, theirs in pairs):
         raise Failed(f"{shot}: the programs with and without speedups took different numbers of samples")

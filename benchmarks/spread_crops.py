@@ -18,7 +18,7 @@ from tools.repository import BUILD, ROOT
 GALLERY = ROOT / "scenes" / "gallery"
 PICTURES = ROOT / "docs" / "pictures" / "sampling"
 PICTURE = (1280, 720)
-SIZE = (144, 80)  # of a crop, whole blocks
+SIZE = (144, 80)  # whole blocks
 RECORDED = 256  # of each pixel; their mean is the last column
 CROPS = {"miniature_town": (160, 560), "chess_by_swing": (896, 416)}  # upper left corners, whole blocks
 RAYS = (2, 4)  # a pixel, of the rows
@@ -48,7 +48,6 @@ def record(tools, scene, corner, path):
 
 
 def replay(tools, samples, rays, prefix):
-    """Pictures, and the mean of all samples."""
     command = [
         tools / "replay_samples",
         samples,
@@ -71,7 +70,6 @@ def replay(tools, samples, rays, prefix):
 
 
 def make(tools, scene, corner, folder):
-    """For each number of rays."""
     samples = folder / f"{scene}.samples"
     record(tools, scene, corner, samples)
     shown = []

@@ -1,6 +1,5 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Scenes and settings."""
 
 import dataclasses
 import pathlib
@@ -30,7 +29,7 @@ class Scene:
         return Shot(self.name, form, tilted, **{"size": self.size, "part": self.part, "folder": self.folder, **more})
 
     def seconds(self, record):
-        """CPU seconds; for a part its rays', since start and parsing count for little in the whole."""
+        """For a part its rays', since start and parsing count for little in the whole."""
         return record["rays"] if self.part else record["cpu"]
 
 
@@ -60,8 +59,8 @@ DISPLAY = {
     "forest_reverse_tilt": "forest",
 }
 DISPLAY_SIZE = (1280, 720)
-STRIP = (64, 360)  # in the middle of the picture
-QUICK_DISPLAY = ("miniature_town", "chess_by_swing", "watch_on_table")  # scenes that are parsed in a second or two
+STRIP = (64, 360)
+QUICK_DISPLAY = ("miniature_town", "chess_by_swing", "watch_on_table")  # parsed in a second or two
 QUICKLY_PARSED = ("chess_by_swing", "watch_on_table", "city_lights")  # within a second, and that for each frame
 
 
@@ -94,7 +93,7 @@ STOCK_ADAPTIVE = [
 STOCK_SPARING = [(8, 37, 2e-2), (8, 100, 5e-3), (12, 64, 1e-2)]  # for the larger errors of a large picture
 STOCK_CONFIDENCE = [(32, 400, 1e-3, 0.99), (64, 1600, 3e-4, 0.99), (32, 400, 3e-3, 0.5)]
 VARIANCES = (3e-2, 1e-2, 4e-3, 1.5e-3, 6e-4, 2.5e-4, 1e-4, 4e-5, 1.5e-5, 6e-6, 2.5e-6, 1e-6, 4e-7)
-# Least number of samples, variances.
+# least number of samples, variances
 OURS = {
     "quick": [(4, VARIANCES)],
     "full": [(4, VARIANCES), (2, VARIANCES[:5]), (8, VARIANCES[:8]), (16, VARIANCES[2:6])],
@@ -107,7 +106,6 @@ def limits(least, most, variance, confidence=0.9):
 
 
 def stock_shots(scene, quick):
-    """(name, shot); first the errors compared at."""
     settings = [(samples, samples, 0, 0.9) for samples in (scene.targets[:3] if quick else scene.targets)]
     adaptive = STOCK_SPARING + STOCK_ADAPTIVE if scene.part else STOCK_ADAPTIVE
     most = 32 if quick and scene.part else 64 if quick or scene.part else 128  # minimum for the least error compared at
@@ -120,7 +118,6 @@ def stock_shots(scene, quick):
 
 
 def ours_chains(scene, tilted, quick):
-    """Lists of (name, shot), from rough to fine."""
     return [
         [(f"{least} {variance:g}", scene.shot(TILT_LENS, tilted, declare=limits(least, 16384, variance))) for variance in variances]
         for least, variances in OURS["part" if scene.part else "quick" if quick else "full"]

@@ -48,7 +48,6 @@ def table(header, rows):
 
 
 def ratio_cell(line):
-    """Ratio, and the error compared at."""
     if line["ratio"] is None:
         return f"not reached ({line['rmse']:.4f})"
     least = "at least " if line.get("at_least") else ""
@@ -56,7 +55,6 @@ def ratio_cell(line):
 
 
 def ratios(comparisons):
-    """Scenes by errors; last, geometric means."""
     targets = sorted({line["target"] for lines in comparisons.values() for line in lines})
     cells = [{line["target"]: ratio_cell(line) for line in lines} for lines in comparisons.values()]
     rows = [[TITLES[scene], *[found.get(target, "not compared") for target in targets]] for scene, found in zip(comparisons, cells)]
@@ -69,7 +67,6 @@ def ratios(comparisons):
 
 
 def found_ratios(comparisons):
-    """(ratio, scene, line) of all reached errors."""
     return [(line["ratio"], scene, line) for scene, found in comparisons.items() for line in found if line["ratio"]]
 
 
@@ -94,7 +91,6 @@ def ratio_goals(comparisons, other, wanted, least=None, where=""):
 
 
 def ratio_section(comparisons, goals):
-    """Table, goals, least ratio, number of unreached errors."""
     found = found_ratios(comparisons)
     missing = sum(line["ratio"] is None for lines in comparisons.values() for line in lines)
     paragraphs = [ratios(comparisons), *[goal.sentence() for goal in goals]]
@@ -113,7 +109,6 @@ def plots_of(comparisons, tilted):
 
 
 def both_sections(found, goals_of, plots=False):
-    """The goals of both are below."""
     paragraphs = []
     for tilted, (name, words) in enumerate(
         (

@@ -14,7 +14,6 @@ REPETITIONS = 3
 
 
 def numbers_of_threads(processors=None):
-    """1, 2, 4, ... up to 16, by processors."""
     return [threads for threads in (1, 2, 4, 8, 16) if threads <= max(2, processors or os.cpu_count() or 1)]
 
 
@@ -66,7 +65,6 @@ def of_scene(lab, name):
 
 
 def efficiency(rows, row):
-    """Speed over as many times one thread's."""
     one = next(other for other in rows if other["scene"] == row["scene"] and other["threads"] == 1)
     return one["wall"] / (row["threads"] * row["wall"])
 

@@ -20,12 +20,10 @@ def repetitions(first):
 
 
 def start_up(lab, program, scene, shot):
-    """0 where not compared."""
     return 0.0 if scene.part else lab.start_up(program, shot)
 
 
 def first_runs(lab, scene, reference):
-    """Alternately, ours until better than all errors."""
     stock = collections.deque(suite.stock_shots(scene, lab.quick))
     chains = [collections.deque(chain) for chain in suite.ours_chains(scene, 0, lab.quick)]
     done, errors = [], {}
@@ -50,7 +48,6 @@ def first_runs(lab, scene, reference):
 
 
 def measure(lab, scene):
-    """CPU seconds are medians of interleaved runs."""
     lab.say(f"{scene.name}: stock focal blur and tilt_lens")
     reference = lab.reference(scene.shot(TILT_LENS), *scene.reference)
     done = first_runs(lab, scene, reference)
@@ -75,7 +72,6 @@ def measure(lab, scene):
 
 
 def compare(scene, records):
-    """Stock's samples and error, both programs' seconds."""
     fronts = {
         program: [(record["cpu"], record["rmse"]) for record in records if record["program"] == program]
         for program in ("stock", "tilt_lens")

@@ -23,7 +23,6 @@ def cropped(view, width, height):
 
 
 def spot_grid(lens):
-    """(point, blur): all over the frame, from -8 to 8 pixels."""
     blurs, found = (-8, -4, 0, 4, 8), []
     for j in range(lens.view.height // 60):
         for i in range(lens.view.width // 60):
@@ -42,7 +41,6 @@ def error_of(measured, wanted):
 
 
 def spots(lab):
-    """Around tilted planes; second moments."""
     rows = []
     for tilt in (10.5,) if lab.quick else (0.0, 10.5, -6.0):
         lens = Lens.tilted(cropped(PLAIN, 180, 120) if lab.quick else PLAIN, tilt, THROUGH)
@@ -64,7 +62,6 @@ def spots(lab):
 
 
 def parabola(xs, ys):
-    """Least squares a + b x + c x^2."""
     sums = [sum(x**n for x in xs) for n in range(5)]
     m = [[sums[i + j] for j in range(3)] + [sum(y * x**i for x, y in zip(xs, ys))] for i in range(3)]
     for i in range(3):
@@ -86,14 +83,13 @@ class Ruler:
         return add(self.middle, times(u, self.half))
 
     def places(self, lens):
-        """Evenly spaced in the picture."""
         near, far = (lens.view.local(self.at(u))[2] for u in (-1, 1))
         steps = [i / (self.count - 1) for i in range(self.count)]
         return [2 * t * near / (far * (1 - t) + near * t) - 1 for t in steps]
 
     def read(self, lens, moments):
-        """A mark's blur across the tilt is proportional to |1 - k.X| / X.z: the square of width times depth is a parabola along the
-        ruler that touches zero in the plane of sharp focus."""
+        """A mark's blur across the tilt is proportional to |1 - k.X| / X.z. So the square of width times depth is a parabola along the
+        ruler, which touches zero in the plane of sharp focus."""
         values = []
         for u, (xx, _, _) in zip(self.places(lens), moments):
             own = lens.disc_moments(self.at(u), marks.radius_of(lens, self.at(u)))[0]
@@ -104,7 +100,7 @@ class Ruler:
         return self.at(-self.fit[1] / (2 * self.fit[2]))
 
     def limits(self, lens, diameter):
-        """Near and far, where the blur is `diameter` pixels (four standard deviations)."""
+        """Where the blur is `diameter` pixels, four standard deviations."""
         start, end = (lens.view.local(self.at(u))[2] for u in (-1, 1))
         middle, slope = (start + end) / 2, (end - start) / 2
         centre, width = -self.fit[1] / (2 * self.fit[2]), math.sqrt(self.fit[2])
@@ -151,13 +147,11 @@ def plane(lab):
 
 
 def line_through(a, b):
-    """(p, q) of z = p + q y."""
     q = (b[1] - a[1]) / (b[0] - a[0])
     return a[1] - q * a[0], q
 
 
 def meet(first, second):
-    """(y, z) where two such lines meet."""
     y = (second[0] - first[0]) / (first[1] - second[1])
     return y, first[0] + first[1] * y
 
@@ -168,7 +162,6 @@ WEDGE_BLUR = 6.0  # pixels
 
 
 def hinge_lines(lab, depth):
-    """Sharp, near and far limit at x = 0, from two rulers."""
     through = (0, 0, depth)
     lens = Lens.tilted(HINGE_VIEW, HINGE_TILT, through)
     rulers = [slanted(lens, 30, 15, 145), slanted(lens, 90, 255, 385)]

@@ -1,7 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Figs. 5 to 8 and Table 1 of Nakane et al.: a box on a checker board, three states of focus, brightness along lines. The paper's
-photographs are not published; the second curve is the accumulation buffer."""
+"""Figs. 5 to 8 and Table 1 of Nakane et al.: a box on a checker board, three states of focus, brightness along lines. In place of the
+paper's photographs, which are not published, the second curve is the accumulation buffer."""
 
 import dataclasses
 import math
@@ -13,7 +13,6 @@ VIEW = View(location=(0, 32, -50), look_at=(0, 3, 0), width=240, height=160, foc
 
 
 def turned(point):
-    """By 35 degrees about y, left-handed."""
     c, s = math.cos(math.radians(35)), math.sin(math.radians(35))
     return (c * point[0] + s * point[2], point[1], -s * point[0] + c * point[2])
 
@@ -25,7 +24,7 @@ LINES = {
     "green": ("side", "#008800", turned((5.8, 3.2, -6)), turned((-5.6, 5.4, -6))),
     "pink": ("floor", "#dd44aa", (-9.3, 0, -14.0), (-15.1, 0, 13.0)),
 }
-# the paper's, against its photographs, 8-bit levels
+# of the paper against its photographs, 8-bit levels
 PAPER = {"b": {"red": 6.45, "green": 10.5, "pink": 11.3}, "c": {"red": 5.67, "green": 13.7, "pink": 16.1}}
 LIMITS = {0: 0.5, 1: 0.15}  # by Quality of box_camera.inc
 
@@ -37,7 +36,6 @@ def state(letter, view=VIEW):
 
 
 def oracle_case(letter, lens):
-    """By the lens's tilt instead of the plane."""
     view = lens.view
     return {
         "picture": [view.width, view.height],
@@ -53,7 +51,6 @@ def oracle_case(letter, lens):
 
 
 def compare_lines(lab, letter, lens, pictures, names, stem, title):
-    """The first picture is the reference."""
     found = {}
     for colour, (where, shade, start, end) in LINES.items():
         a, b = lens.pixel(start), lens.pixel(end)

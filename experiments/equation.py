@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Equation (1) of Nakane et al. from the fork's solver, and reversed."""
+"""Equation (1) of Nakane et al., and reversed."""
 
 from experiments.laboratory import Claim
 

@@ -43,7 +43,7 @@ def write_mesh(out, vertices, faces):
     out.write("// The Stanford dragon; Stanford Computer Graphics Laboratory.\n" "#declare Stanford_Dragon = mesh2\n{\n")
     out.write(f"vertex_vectors {{ {len(vertices)}\n")
     for x, y, z in vertices:
-        # right-handed to left-handed: z changes its sign
+        # right-handed to left-handed
         out.write(
             f",<{size * (x - (low[0] + high[0]) / 2):.5f},{size * (y - low[1]):.5f}," f"{-size * (z - (low[2] + high[2]) / 2):.5f}>\n"
         )

@@ -9,7 +9,7 @@ from experiments.laboratory import SCENES, Claim
 from experiments.lens import Lens, View, add, length, sub, times
 from experiments.sharpness import Region, beyond_grid, measure, regions
 
-PINHOLE = 0.0001  # factor of the aperture
+PINHOLE = 0.0001
 
 
 def pictures(lab, names, size, pinhole, finer=1, declare=()):
@@ -31,7 +31,7 @@ def around(number, low, high, name):
 
 
 def dragons(lab):
-    """Fig. 4: normal, the second dragon is sharp; tilted, all four. The floor beside them is tested."""
+    """Fig. 4. The floor beside the dragons is tested."""
     view = View((0.2, 2.7, -9.5), (0.55, 0.9, 2.2), *((256, 144) if lab.quick else (640, 360)), 0, 0, 1000)
     floor = [around(i, (1.5, 0, -0.6), (2.9, 0, 0.6), f"floor beside dragon {i + 1}") for i in range(4)]
     backs = [around(i, (-0.35, 0.5, -0.35), (0.35, 1.1, 0.35), "") for i in range(4)]
@@ -69,8 +69,8 @@ def side_line(count):
 
 
 def sharp_place(lab, sharp, blurred, lens, points, half):
-    """Where points' line meets the plane of sharp focus, and the diameters. Blur times depth is proportional to the distance from the
-    plane: a straight line. The points lie on one side or near it."""
+    """Where the points' line meets the plane of sharp focus. Blur times depth is a straight line, since it is proportional to the distance
+    from the plane."""
     windows = []
     for point in points:
         x, y = (round(c) for c in lens.pixel(point))
@@ -84,12 +84,11 @@ def sharp_place(lab, sharp, blurred, lens, points, half):
 
 
 def box(lab):
-    """Figs. 5 and 6. No quick form: smaller squares are too small."""
+    """Figs. 5 and 6. A quick form would have too small squares."""
     view = dataclasses.replace(box_scene.VIEW, width=360, height=240)
     size = (view.width, view.height)
     rows = []
     for letter, line, half in (("a", floor_line(33), 22), ("b", side_line(12), 11), ("c", floor_line(33), 22)):
-        # each film distance has its pinhole picture
         shown = pictures(lab, [f"box_{letter}"], size, [("Stop", 1e6), ("Variance", 1e-4)], finer=3)
         lens = box_scene.state(letter, view)
         place, found = sharp_place(lab, shown["pinhole"], shown[f"box_{letter}"], lens, line, half)
@@ -118,7 +117,7 @@ LANDSCAPE = [
 
 
 def landscape(lab):
-    """Fig. 9; twice the blur with twice the aperture."""
+    """Fig. 9."""
     view = View((-10, 56, -116), (4, 3.4, -4), *((240, 180) if lab.quick else (640, 480)), 0, 0, 1000)
     planes = {
         "a": (8, sub(view.look_at, view.location), GREEN),

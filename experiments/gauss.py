@@ -43,7 +43,7 @@ def stop_place(moved=0.0):
     """Mm behind the fifth surface, image in the front principal point, as in glass_lens.cpp."""
     rows = moved_rows(moved)
     _, _, c, d = matrix(rows)
-    principal = (d - 1) / c  # behind the first surface
+    principal = (d - 1) / c
     radius, _, index, diameter = rows[BEFORE_STOP - 1]
     a, b, c, d = matrix([*rows[: BEFORE_STOP - 1], (radius, 0.0, index, diameter)])
     return (principal * a - b) / (d - principal * c)
@@ -65,11 +65,11 @@ def write(folder):
 
 
 def write_moving(folder, moved, film_distance):
-    """moving.json: focal length 50 with the first element half-way to its near limit, the film at this distance from the rear principal
-    point. Returns the focal length at infinity."""
+    """moving.json: focal length 50 with the first element half-way to its near limit. The film distance is that from the rear principal point.
+    Returns the focal length at infinity."""
     scale = 50 / focal_length(moved)
     a, _, c, _ = matrix(ROWS)
-    at_infinity = -a / c  # the film behind the last surface
+    at_infinity = -a / c
     a, _, c, _ = matrix(moved_rows(moved))
     behind = film_distance / scale + (1 - a) / c  # H' lies (1 - a) / c behind the last surface
     film = [at_infinity, at_infinity + 2 * (behind - at_infinity)]

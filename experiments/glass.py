@@ -1,9 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The box scene through a glass lens. A thin lens gets the properties of the glass one by one; each remainder is at most the rays'
-displacement (pixels) times the picture's steepness.
-
-Also by `tilt_lens` with fitted distortion and field curvature, and through the glass itself."""
+displacement (pixels) times the picture's steepness."""
 
 import dataclasses
 
@@ -17,9 +15,9 @@ PRESCRIPTION = 0.3  # levels: through the same surfaces
 CHARACTER = 1.0  # levels: the ideal lens with the numbers that are fitted to the glass
 MODELS = ("thin", "distortion", "field", "pupil", "glass")
 STEPS = ("distortion", "field", "pupil", "rest")
-REAL_VARIANCE = 6e-7  # of the fitted pictures; their noise is 0.2 level
+REAL_VARIANCE = 6e-7  # their noise is 0.2 level
 REACH = 3.0  # pixels beside a line whose steepness counts
-PINHOLE = 1e6  # f-number of the sharp picture
+PINHOLE = 1e6
 
 
 @dataclasses.dataclass
@@ -30,7 +28,6 @@ class Tracer:
     lines: list
 
     def picture(self, model, f_stop=F_STOP, measure=False, whole=False):
-        """Around the lines, or whole; and the tracer's figures."""
         view, kind = self.lens.view, "whole" if whole else "sharp" if f_stop > F_STOP else "lines"
         made = self.lab.work / f"{model}_{self.letter}_{kind}.exr"
         made.parent.mkdir(parents=True, exist_ok=True)
@@ -60,7 +57,6 @@ class Tracer:
 
 
 def real_lenses(lab, letter, size, fitted):
-    """By `tilt_lens`: with character, and through glass."""
     k1, k2, near = fitted["distortion"]
     lenses = {
         "character": [("Glass", 0), ("K1", k1), ("K2", k2), ("Near", near), ("Bent", fitted["field_curvature"])],
@@ -80,7 +76,6 @@ def real_lenses(lab, letter, size, fitted):
 
 
 def levels(lab, first, others, line):
-    """From the first picture, along a line."""
     report = lab.json([lab.tool("profile"), "line", first, *others, "--from-to", *line, "--points", 400])
     return [curve["average_difference"] for curve in report["curves"]]
 

@@ -46,7 +46,7 @@ class Claim:
 class Laboratory:
     povray: pathlib.Path
     stock: pathlib.Path
-    tools: pathlib.Path  # build folder
+    tools: pathlib.Path
     work: pathlib.Path
     results: pathlib.Path
     quick: bool = False
@@ -57,7 +57,6 @@ class Laboratory:
         return str(self.tools / "tests" / "paper" / "tools" / name)
 
     def run(self, command, stdin=None, accept=(0,)):
-        """Runs a program; its standard output."""
         done = subprocess.run([str(part) for part in command], input=stdin, text=True, capture_output=True, check=False)
         if done.returncode not in accept:
             raise Failed(f"{' '.join(map(str, command))}\nended with {done.returncode}:\n" f"{done.stderr[-3000:]}")
@@ -99,7 +98,6 @@ class Laboratory:
         return picture
 
     def key(self, command, sources):
-        """A hash of program, command, scene and includes."""
         if not self.program:
             self.program = hashlib.sha256(self.povray.read_bytes()).hexdigest()
         found = hashlib.sha256((self.program + json.dumps(command)).encode())
@@ -108,7 +106,6 @@ class Laboratory:
         return found.hexdigest()
 
     def png(self, picture, *drawing):
-        """8-bit sRGB, with a drawing by oiiotool."""
         made = self.results / picture.with_suffix(".png").name
         made.parent.mkdir(parents=True, exist_ok=True)
         self.run(
@@ -134,13 +131,12 @@ class Laboratory:
         return self.json([self.tool("profile"), "moments", picture], stdin=json.dumps(windows))
 
     def oracle(self, name, case, scene, batches, samples):
-        """Made once for the same input."""
         key = hashlib.sha256(json.dumps([case, batches, samples]).encode() + scene.read_bytes())
         folder = self.work / "oracle" / f"{name}-{key.hexdigest()[:16]}"
         picture = folder / "mean.exr"
         if not picture.is_file():
             frames = folder / "frames"
-            if frames.is_dir():  # of a run that was interrupted
+            if frames.is_dir():  # of an interrupted run
                 shutil.rmtree(frames)
             frames.mkdir(parents=True)
             text = json.dumps({"name": name, "scene": scene.name, **case})

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """A tilted thin lens in closed form.
 
-Camera frame: lens centre at the origin, x right, y up, z into the scene, film at -s. The unit lens normal is t,
-the focal length f. The plane of sharp focus is k.X = 1, k = t/f - z/s (Scheimpflug's rule and the thin lens
-equation). Lengths in scene units, angles in degrees, image in pixels from the upper left corner."""
+Camera frame: lens centre at the origin, x right, y up, z into the scene, film at -s. The unit lens normal is t, the focal length f. The
+plane of sharp focus is k.X = 1, k = t/f - z/s (Scheimpflug's rule and the thin lens equation). Lengths in scene units, angles in degrees,
+image in pixels from the upper left corner."""
 
 import dataclasses
 import math
@@ -40,8 +40,6 @@ def unit(a):
 
 @dataclasses.dataclass
 class View:
-    """In the units of the language."""
-
     location: tuple
     look_at: tuple
     width: int
@@ -74,14 +72,12 @@ class Lens:
 
     @classmethod
     def tilted(cls, view, tilt, through):
-        """Leant forward, focused on a world point."""
         f, p = view.focal_length / view.scene_unit, view.local(through)
         normal = (0.0, -math.sin(math.radians(tilt)), math.cos(math.radians(tilt)))
         return cls(view, normal, f * p[2] / (dot(p, normal) - f))
 
     @classmethod
     def on_plane(cls, view, normal, point):
-        """Normal and point of the plane of sharp focus (world)."""
         f, n = view.focal_length / view.scene_unit, view.turned(unit(normal))
         k = times(1 / dot(n, view.local(point)), n)
         across = (f * k[0], f * k[1])
@@ -90,7 +86,6 @@ class Lens:
 
     @classmethod
     def of_angle(cls, view, angle, diameter, normal, point):
-        """The lens of this diameter whose view is `angle` degrees wide, focused on a plane."""
         s = view.film_width / view.scene_unit / 2 / math.tan(math.radians(angle / 2))
         n = view.turned(unit(normal))
         q = add(times(1 / dot(n, view.local(point)), n), (0, 0, 1 / s))
@@ -110,13 +105,11 @@ class Lens:
         return self.film_distance * self.view.scene_unit / self.view.film_width * self.view.width
 
     def pixel(self, point):
-        """By the chief ray."""
         v, p, scale = self.view, self.view.local(point), self.pixels_per_slope()
         millimetre = v.width / v.film_width
         return (v.width / 2 + scale * p[0] / p[2] - v.shift[0] * millimetre, v.height / 2 - scale * p[1] / p[2] + v.shift[1] * millimetre)
 
     def lens_axes(self):
-        """Camera frame; right and up without swing."""
         right = unit(cross((0, 1, 0), self.normal))
         return right, cross(self.normal, right)
 
@@ -139,12 +132,11 @@ class Lens:
         return tuple(sum(a[i] * a[j] for a in axes) / 4 for i, j in ((0, 0), (0, 1), (1, 1)))
 
     def blur_diameter(self, point):
-        """The mean of the moments, pixels."""
         xx, _, yy = self.blur_moments(point)
         return 4 * math.sqrt((xx + yy) / 2)
 
     def blur_centre(self, point):
-        """Centroid, pixels, for a small disc parallel to the film: a nearer rim of a tilted lens sees it larger."""
+        """Pixels, for a small disc parallel to the film: a nearer rim of a tilted lens sees it larger."""
         p, (right, up) = self.view.local(point), self.lens_axes()
         sums, rings, spokes = [0.0, 0.0, 0.0], 8, 16
         for i in range(rings):

@@ -22,7 +22,6 @@ def world(view, point):
 
 
 def at_pixel(lens, x, y, depth):
-    """At an axial depth, by a pinhole in the lens centre."""
     view, scale = lens.view, lens.pixels_per_slope()
     millimetre = view.width / view.film_width
     slope_x = (x - view.width / 2 + view.shift[0] * millimetre) / scale
@@ -31,7 +30,6 @@ def at_pixel(lens, x, y, depth):
 
 
 def radius_of(lens, point):
-    """SIZE pixels by a pinhole."""
     return SIZE * lens.view.local(point)[2] / lens.pixels_per_slope()
 
 
@@ -61,7 +59,6 @@ def render(lab, name, lens, through, points, samples=1024):
 
 
 def window(lens, point, reach):
-    """Left, top, width, height."""
     x, y = lens.pixel(point)
     left, top = math.floor(x - reach), math.floor(y - reach)
     return [left, top, math.ceil(x + reach) - left, math.ceil(y + reach) - top]
@@ -73,7 +70,7 @@ def measure(lab, picture, lens, points, reaches):
 
 
 def sharp_moments(x, y):
-    """On the grid: a hard edge falls there by chance, by some per cent of the moments."""
+    """A hard edge falls on the grid by chance, by some per cent of the moments."""
     fine, reach = 32, math.ceil(SIZE) + 1
     sums = [0] * 6
     for row in range(math.floor(y) - reach, math.floor(y) + reach + 1):
@@ -91,7 +88,6 @@ def sharp_moments(x, y):
 
 
 def expected(lens, point):
-    """Moments of lens ellipse, disc and pixel."""
     blur = lens.blur_moments(point)
     if blur[0] + blur[2] < 0.1:
         return sharp_moments(*lens.pixel(point))

@@ -22,7 +22,7 @@ LENSES = [
     (150, 5.6, 3.0, (1.5, 6.0, 100.0)),
     (300, 2.8, 10.0, (6.0, 20.0, 200.0)),
 ]
-BLUR_PIXELS = 16  # largest blur; the film is cropped to it
+BLUR_PIXELS = 16  # pixels; the film is cropped to it
 
 
 def blur_diameter(f, n, focus, subject):

@@ -1,6 +1,5 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Blur of regions against a pinhole picture and the closed form."""
 
 import dataclasses
 import itertools
@@ -14,7 +13,6 @@ GRID = 16 / 12
 
 
 def beyond_grid(diameter):
-    """Without the pixel grid's part; 0 for a sharp place."""
     return math.sqrt(max(0.0, diameter * diameter - GRID))
 
 
@@ -37,7 +35,6 @@ class Region:
         return [left, top, min(lens.view.width, math.ceil(right)) - left, min(lens.view.height, math.ceil(bottom)) - top]
 
     def diameters(self, lens):
-        """Least and greatest, pixels."""
         found = [(lens.blur_diameter(p), lens.vergence(p)) for p in self.corners()]
         sizes = [size for size, _ in found]
         crosses = min(v for _, v in found) <= 0 <= max(v for _, v in found)
@@ -45,7 +42,6 @@ class Region:
 
 
 def measure(lab, sharp, blurred, windows, widest):
-    """From sharp to blurred, by window."""
     found = lab.json([lab.tool("profile"), "blur", sharp, blurred, "--widest", widest], stdin=json.dumps(windows))
     return [entry["diameter"] for entry in found]
 

@@ -15,7 +15,6 @@ INSIDE, FIRST, LAST = 120, 100, 340  # a column on the tower, and rows below its
 
 
 def slope(pairs):
-    """Slope of the least-squares line through (x, y) pairs."""
     n = len(pairs)
     mx, my = sum(x for x, _ in pairs) / n, sum(y for _, y in pairs) / n
     return sum((x - mx) * (y - my) for x, y in pairs) / sum((x - mx) ** 2 for x, _ in pairs)
@@ -30,7 +29,6 @@ def convergence(lab, name, declare, rows=(FIRST, LAST)):
 
 
 def tower(lab):
-    """Shifted; shifted and tilted; turned up."""
     rows = []
     for text, declare in (("shift 10 mm", [("Rise", 10)]), ("shift 10 mm, tilt 4, f/4", [("Rise", 10), ("Tilt", 4), ("F_Stop", 4)])):
         found = convergence(lab, f"tower_{len(rows)}.exr", declare)
@@ -38,13 +36,12 @@ def tower(lab):
         yield Claim(f"verticals, {text}: convergence over the picture", found, PARALLEL_LIMIT, "pixels")
     found = convergence(lab, "tower_up.exr", [("Pitch", 1)])
     rows.append(["looking up instead", found])
-    # counter-test: turned up by 17 degrees, lines converge by pixels
+    # counter-test: turned up by 17 degrees
     yield Claim("looking up instead: pixels of convergence, as 1/x", 1 / abs(found), 0.2)
     lab.table("verticals.csv", ["camera", "convergence in pixels"], rows)
 
 
 def tilt_with_shift(lab):
-    """Discs: places and blur."""
     view = dataclasses.replace(cropped(PLAIN, 180, 120) if lab.quick else PLAIN, shift=(3.0, 8.0))
     lens = Lens.tilted(view, 10.5, THROUGH)
     grid = spot_grid(lens)

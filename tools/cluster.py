@@ -56,7 +56,7 @@ NO_CONTROL_GROUPS = "CgroupPlugin=cgroup/v1\nCgroupMountpoint={folder}/cgroup\n"
 
 
 def started_at(pid):
-    """Start of a process, in ticks since the machine's start; None if ended."""
+    """In ticks since the machine's start; None if ended."""
     try:
         fields = pathlib.Path(f"/proc/{pid}/stat").read_text(encoding="ascii", errors="replace").rpartition(")")[2].split()
     except OSError:
@@ -79,7 +79,7 @@ def parent_of(pid):
 
 
 def free_ports(count):
-    """Free ports below those that the system assigns itself."""
+    """Below those that the system assigns itself."""
     for first in range(10000 + os.getpid() % 20000, 32768, count):
         with contextlib.ExitStack() as stack:
             try:
@@ -95,7 +95,7 @@ class Cluster:
     def __init__(self, folder, nodes=3):
         self.folder = pathlib.Path(folder)
         self.nodes = [f"n{i + 1}" for i in range(nodes)]
-        self.processes = {}  # name -> (Popen, start time)
+        self.processes = {}
         self.env = dict(os.environ, SLURM_CONF=str(self.folder / "slurm.conf"), PATH="/usr/sbin:/usr/bin:/sbin:/bin")
 
     def __enter__(self):
@@ -130,7 +130,7 @@ class Cluster:
         (self.folder / "hosts").write_text(f"127.0.0.1 {HOST}\n", encoding="ascii")
 
     def daemon(self, name, *command):
-        """Starts a daemon that ends with this process, even if this process is killed."""
+        """The daemon ends with this process, even if this process is killed."""
         env = dict(self.env, LD_PRELOAD="libnss_wrapper.so", NSS_WRAPPER_HOSTS=f"{self.folder}/hosts", NSS_WRAPPER_HOSTNAME=HOST)
         with open(self.folder / "log" / f"{name}.out", "ab") as log:
             process = subprocess.Popen(
@@ -182,7 +182,6 @@ class Cluster:
             time.sleep(0.1)
 
     def job_processes(self, node, daemon):
-        """Processes of the node's jobs, without its `daemon`."""
         mine = {f"SLURMD_NODENAME={node}".encode(), f"SLURM_CONF={self.folder}/slurm.conf".encode()}
         jobs = [int(name) for name in os.listdir("/proc") if name.isdigit() and mine <= set(environment_of(name))]
         parents = {parent_of(pid) for pid in jobs} - set(jobs) - {0, 1, os.getpid()}
@@ -218,7 +217,6 @@ class Cluster:
 
 
 def main():
-    """python3 -m tools.cluster NODES COMMAND...: runs a command with a private cluster."""
     if len(sys.argv) < 3 or not sys.argv[1].isdigit():
         sys.exit("usage: python3 -m tools.cluster NODES COMMAND...    runs COMMAND with a private Slurm cluster of NODES nodes")
     with tempfile.TemporaryDirectory(prefix="slurm.") as folder, Cluster(folder, int(sys.argv[1])) as cluster:

@@ -18,7 +18,7 @@ INCLUDE = ROOT / "scenes" / "include"
 NO_SETTINGS = ROOT / "tools" / "no_settings.ini"
 DISPLAYS = ("DISPLAY", "WAYLAND_DISPLAY")
 USER_SETTINGS = ("POVINI", "POVINC", *DISPLAYS)
-# Seconds until a run counts as hanging; far more than any test takes.
+# seconds until a run counts as hanging
 PATIENCE = 600
 # upstream keeps parsed objects until the end
 WITHOUT_LEAKS = {"ASAN_OPTIONS": "detect_leaks=0"}
@@ -26,7 +26,7 @@ STATE_HEADER = 512  # bytes of a state file before its first message
 
 
 class Failed(Exception):
-    """A program failed."""
+    pass
 
 
 class UnreadablePicture(Exception):
@@ -34,7 +34,6 @@ class UnreadablePicture(Exception):
 
 
 def quoted(name):
-    """The name, in quotation marks where a character would end it."""
     name = str(name)
     if not re.search(r"[\s;#\"']", name):
         return name
@@ -42,8 +41,7 @@ def quoted(name):
 
 
 def command(program, scene, picture, size, *options, library=(), before=()):
-    """Command line without window or pause; later options override.
-    @param picture  None: none is written; "": named after the scene
+    """@param picture  None: none is written; "": named after the scene
     @param library  further include folders
     @param before   user's options, which must not change scene, picture or size"""
     output = ["-F"] if picture is None else [f"+O{quoted(picture)}"] if picture else []
@@ -64,12 +62,11 @@ def command(program, scene, picture, size, *options, library=(), before=()):
 
 
 def user_environment(without=USER_SETTINGS, **variables):
-    """The user's environment without settings, display or other variables."""
     return {**{name: value for name, value in os.environ.items() if name not in without}, **variables}
 
 
 def environment(**variables):
-    """The environment in which POV-Ray reads no INI file, with these variables."""
+    """The environment in which POV-Ray reads no INI file."""
     return user_environment(**{"POVINI": str(NO_SETTINGS), **variables})
 
 
@@ -83,7 +80,7 @@ def held_to_permissions():
 class Done:
     command: list
     code: int | None  # exit code, or minus the signal; None: ended because of the time limit
-    said: str  # standard output and standard error
+    said: str
     cpu: float  # seconds, user and system
     seconds: float
     memory: int  # peak of resident memory, bytes
@@ -105,13 +102,11 @@ class Done:
 
 
 def start(words, folder=None, env=None, **how):
-    """By default in environment(); messages are in `stdout`."""
     how = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, **how}
     return subprocess.Popen([str(word) for word in words], cwd=folder, env=environment() if env is None else env, **how)
 
 
 def run(words, folder=None, env=None, limit=PATIENCE, **how):
-    """Kills it after `limit` seconds (None: never)."""
     begun = time.monotonic()
     process = start(words, folder, env, **how)
     late = threading.Event()
@@ -134,7 +129,7 @@ def run(words, folder=None, env=None, limit=PATIENCE, **how):
 
 
 def sources(scene, folders=()):
-    """The scene and the files that it includes, from its own folder or the first of `folders` that has them."""
+    """In a file's own folder or the first of `folders` that has it."""
     found = [pathlib.Path(scene)]
     for path in found:
         for name in re.findall(r'#include\s+"([^"]+)"', path.read_text()):
@@ -159,7 +154,7 @@ def whole_messages(data, end=None):
 
 
 class Reader:
-    """Reads many pictures in one process, which starts slowly. Thread-safe."""
+    """Reads many pictures in one process, because its start is slow. Thread-safe."""
 
     def __init__(self, compare):
         self.compare = compare
@@ -167,7 +162,7 @@ class Reader:
         self.process = None
 
     def ask(self, path):
-        """A line with width, height, number, type and names of the channels, and the values. Raises UnreadablePicture."""
+        """Width, height, number, type and names of the channels, and the values. Raises UnreadablePicture."""
         with self.lock:
             if self.process is None or self.process.poll() is not None:
                 self.process = subprocess.Popen([self.compare, "pixels"], stdin=subprocess.PIPE, stdout=subprocess.PIPE)

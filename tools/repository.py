@@ -11,5 +11,4 @@ LAUNCHER = ROOT / "run_module.py"
 
 
 def module_command(module, *words):
-    """The command line that runs a module of this repository, such as "tests.stress.run", in any current folder."""
     return [sys.executable, "-B", str(LAUNCHER), module, *map(str, words)]

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file inner_loops.cpp
-/// Camera and sampler: nanoseconds a call.
+/// Nanoseconds a call of camera and sampler.
 
 #include <cmath>
 #include <cstdint>
@@ -20,7 +20,6 @@ namespace
 
 using namespace tilt_lens;
 
-/// Tilted by some degrees.
 Lens SomeLens()
 {
     Lens lens;
@@ -44,7 +43,7 @@ struct Places
     }
 };
 
-/// Subtracted.
+/// The empty loop's time, which is subtracted.
 void Empty(benchmark::State& state)
 {
     Places places;
@@ -98,7 +97,6 @@ BENCHMARK_CAPTURE(Map, disc, Aperture::Disc());
 BENCHMARK_CAPTURE(Map, polygon, Aperture::Polygon(7, 0.2));
 BENCHMARK_CAPTURE(Map, picture, Aperture::Picture([](double u, double v) { return u + v * v; }));
 
-/// Per sample; plain noise.
 void TilePerSample(benchmark::State& state)
 {
     SamplingLimits limits;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file lamp_light.h
-/// Share of lamps' light that a picture keeps.
+/// The share of lamps' light that a picture keeps.
 
 #ifndef LAMP_LIGHT_H
 #define LAMP_LIGHT_H
@@ -15,7 +15,6 @@
 
 #include "picture.h"
 
-/// With lamps and without; sums of the channels.
 class LampLight
 {
   public:
@@ -54,7 +53,6 @@ class LampLight
     static constexpr double leastLight = 0.06, leastShare = 0.7;
     static constexpr int reach = 8;
 
-    /// Half as bright as the brightest pixel around.
     bool IsInDisc(std::size_t pixel) const { return m_light[pixel] >= std::max(leastLight, 0.5 * m_brightest[pixel]); }
 
     std::vector<double> Light(const witness::Picture& picture) const
@@ -71,7 +69,6 @@ class LampLight
         return light;
     }
 
-    /// Within `reach` rows and columns.
     static std::vector<double> Brightest(const std::vector<double>& light, int width, int height)
     {
         std::vector<double> across(light), around;

@@ -5,18 +5,16 @@
 /// Pictures against their reference, in linear light.
 ///
 ///     noise reference OUT.exr PICTURE...    mean of independent pictures and its standard error
-///     noise errors REFERENCE PICTURE...     each picture against it
-///     noise claims REFERENCE PICTURE... --variance V --more-than N    independent pictures with the layers beside them
-///                                           (NAME.layers.exr): whether they keep V, their pixels that took more
-///                                           than N samples apart, and whether their standard error is true
+///     noise errors REFERENCE PICTURE...
+///     noise claims REFERENCE PICTURE... --variance V --more-than N    whether independent pictures with NAME.layers.exr keep
+///                                           V, also in pixels of more than N samples, and their standard error
 ///     noise prefixes REFERENCE PICTURE... --counts N,N    the mean of the first so many pictures
-///     noise lamps REFERENCE WITHOUT PICTURE...    the light of lamps that each picture keeps, above white too: its share, and the
-///                                                 share of the pixels of their discs that lack it; the reference is one
-///                                                 with --unclipped, and so is that of the scene without lamps
-///     noise groups REFERENCE PICTURE... --side N  each picture's squared error in groups of N by N pixels
+///     noise lamps REFERENCE WITHOUT PICTURE...    the share of the lamps' light kept, above white too, and of dark disc
+///                                                 pixels; both references need --unclipped
+///     noise groups REFERENCE PICTURE... --side N  squared errors in groups of N by N pixels
 ///
-/// A reference of several pictures knows its own mean square error, which is taken off; results are at least zero. Larger pictures are cut
-/// to the reference's size; --at LEFT,TOP takes a part. One JSON object a line.
+/// The reference's own mean square error is taken off; results are at least zero. Larger pictures are cut to the reference's size; --at
+/// LEFT,TOP takes a part. One JSON object a line.
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +49,6 @@ Picture Clipped(Picture picture)
     return picture;
 }
 
-/// Without clipping above white.
 Reference Clipped(Reference reference)
 {
     for (std::size_t i = 0; i < reference.mean.Size(); ++i)
@@ -101,7 +98,6 @@ json Errors(const Picture& picture, const Reference& reference)
     return {{"mse", std::max(0.0, squares / picture.Size() - own)}, {"mean", sum / picture.Size()}, {"reference_mse", own}};
 }
 
-/// All of one scene.
 class Claims
 {
   public:
@@ -230,7 +226,6 @@ void PrintLamps(const Arguments& arguments)
     }
 }
 
-/// Row by row; smaller at the right and lower edge.
 void PrintGroups(const Arguments& arguments)
 {
     const Reference reference = Clipped(witness::ReadReference(arguments.reference));

@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file post_blur.cpp
-/// Blurs a pinhole picture by its depth: pixels are spread over their circles of confusion, sums divided by weights.
-///
-/// M. Potmesil and I. Chakravarty, "A Lens and Aperture Camera Model for Synthetic Image Generation", SIGGRAPH 1981; for a tilted plane of
-/// focus.
+/// Blurs a pinhole picture by its depth: pixels are spread over their circles of confusion, sums divided by weights (M. Potmesil and
+/// I. Chakravarty, "A Lens and Aperture Camera Model for Synthetic Image Generation", SIGGRAPH 1981), for a tilted plane of focus.
 ///
 /// White minus black fog: 1 - exp(-distance/fog).
 
@@ -34,7 +32,6 @@ struct Camera
     double fog = 0.0;                         ///< scene units
 };
 
-/// In pixels.
 double Radius(const Camera& camera, const Picture& picture, int column, int row, double fogged)
 {
     const double x = ((column + 0.5) / picture.width - 0.5) * camera.width;
@@ -50,7 +47,6 @@ struct Gathered
     std::vector<double> light, weight;
 };
 
-/// A pixel at the rim gets its share.
 void Spread(const Picture& picture, int column, int row, double radius, Gathered& gathered)
 {
     const int reach = static_cast<int>(std::ceil(radius));

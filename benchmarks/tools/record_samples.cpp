@@ -5,8 +5,6 @@
 /// POV-Ray that writes `tilt_lens` pictures' first samples into a file for replay_samples.
 ///
 ///     TILT_LENS_RECORD=FILE TILT_LENS_RECORD_SAMPLES=N TILT_LENS_SETTINGS=NAME=VALUE,... record_samples +Iscene.pov ...
-///
-/// A sample depends on pixel and number alone; only settings of the emitter sampling change it.
 
 #include <cstdio>
 #include <cstdlib>

@@ -33,7 +33,6 @@ struct RecordedSample
         std::copy(result.radiance.begin(), result.radiance.end(), radiance);
     }
 
-    /// @param lens with a round opening
     SampleResult Result(const LensFootprint& lens) const
     {
         SampleResult result;

@@ -7,12 +7,10 @@
 ///     replay_samples FILE WIDTH HEIGHT SAMPLES --variances V,V --denoise 0,1 [--least N] [--most N] [--picture PREFIX]
 ///         < lines of settings
 ///
-/// A part of a picture is a picture of its own. --least and --most are `blur_samples`. --picture writes PREFIX0.pfm, ..., one for each
-/// object, and PREFIXtrue.pfm.
+/// A part of a picture is a picture of its own. --least and --most (default: a quarter of the samples) are `blur_samples`. --picture writes
+/// PREFIX0.pfm, ..., one for each object, and PREFIXtrue.pfm.
 ///
-/// Each line: NAME=VALUE,... or empty. Each line, variance and denoise yields a JSON object: mean square error against the mean of all
-/// samples (linear, clipped), share of pixels off by more than 2 sqrt(V), samples per pixel. A pixel takes at most a quarter of the
-/// samples unless --most says otherwise.
+/// A line is NAME=VALUE,... or empty. Each line, variance and denoise yields a JSON object with the error against the mean of all samples.
 
 #include <algorithm>
 #include <array>
@@ -82,7 +80,6 @@ struct Recording
     std::size_t At(std::uint32_t x, std::uint32_t y, std::uint32_t index) const { return (std::size_t(y) * width + x) * samples + index; }
 };
 
-/// Rows from below.
 void Write(const std::string& path, std::uint32_t width, std::uint32_t height,
            const std::function<std::array<double, 3>(std::uint32_t, std::uint32_t)>& pixel)
 {
@@ -105,7 +102,7 @@ json Replay(const Recording& recording, SamplingLimits limits, double variance, 
     limits.denoise = denoise;
     if (limits.min == 0)
         limits.SetUsualMinimum(true);
-    const LensFootprint footprint(Lens{}, Aperture::Disc(), 1.0, 1.0);  // already in the picture
+    const LensFootprint footprint(Lens{}, Aperture::Disc(), 1.0, 1.0);
     const Area all{0, 0, recording.width, recording.height};
     BlockCache cache(limits, recording.width, recording.height, all);
     TileSampler sampler(cache);
@@ -136,7 +133,7 @@ json Replay(const Recording& recording, SamplingLimits limits, double variance, 
         {"variance", variance}, {"denoise", denoise}, {"mse", error / pixels}, {"beyond", beyond / pixels}, {"samples", samples / pixels}};
 }
 
-} // namespace
+}  // namespace
 
 int main(int count, char** values)
 {

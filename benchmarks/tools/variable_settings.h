@@ -12,8 +12,7 @@
 namespace tilt_lens
 {
 
-/// Others as in settings.h.
-/// @param text NAME=VALUE, separated by commas; may be empty
+/// @param text NAME=VALUE, separated by commas; may be empty; other settings as in settings.h
 /// @throws std::invalid_argument an unknown name, or no number
 void Vary(const std::string& text);
 

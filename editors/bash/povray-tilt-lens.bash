@@ -46,7 +46,7 @@ _tilt_lens_files()
 }
 
 # Sets COMPREPLY to the lines of the file $1, each once and as the shell takes it: behind an opening quotation mark as it
-# is, elsewhere with blanks and the like escaped. What goes on is not followed by a blank.
+# is, elsewhere with blanks and the like escaped. A folder, or an option without its value, gets no blank behind it.
 _tilt_lens_reply()
 {
     local i

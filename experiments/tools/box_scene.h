@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file box_scene.h
-/// scenes/paper/box_objects.inc for another tracer: even light and sunlight, centimetres.
+/// scenes/paper/box_objects.inc for another tracer, in centimetres.
 
 #ifndef PAPER_BOX_SCENE_H
 #define PAPER_BOX_SCENE_H

@@ -25,7 +25,7 @@ double Level(double linear)
 namespace
 {
 
-/// Levels before mixing, as in an 8-bit file.
+/// Mixes levels, not linear light, as in an 8-bit file.
 double LevelAt(const witness::Picture& picture, Point at)
 {
     const double x = at.x - 0.5, y = at.y - 0.5;

@@ -19,7 +19,7 @@ struct Point
     double x = 0.0, y = 0.0;  ///< pixels
 };
 
-/// Linear luminance of a pixel, Rec. 709 weights.
+/// Linear, Rec. 709 weights.
 double Luminance(const witness::Picture& picture, int column, int row);
 
 /// 0 to 255 of sRGB, not rounded.
@@ -29,10 +29,8 @@ double Level(double linear);
 /// @throws std::invalid_argument the line leaves the picture, or fewer than two points
 std::vector<double> Profile(const witness::Picture& picture, Point from, Point to, int count);
 
-/// Mean of the absolute differences of two profiles of one length.
 double AverageDifference(const std::vector<double>& a, const std::vector<double>& b);
 
-/// Sum, centroid, second central moments; linear.
 struct Moments
 {
     double sum = 0.0;                     ///< linear luminance

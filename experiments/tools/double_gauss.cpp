@@ -23,11 +23,11 @@ const Printed kDoubleGauss[] = {
     {-14.495, 1.18, 1.603, 17.0}, {40.77, 6.065, 1.658, 20.0}, {-20.385, 0.19, 1.0, 20.0},
     {437.065, 3.22, 1.717, 20.0}, {-39.73, 0.0, 1.0, 20.0},
 };
-const int kStopAfter = 4;           // index in the table above
-const std::size_t kFirstElement = 2;  // its surfaces
+const int kStopAfter = 4;
+const std::size_t kFirstElement = 2;
 const double kPrintedStop = 5.705;  // mm behind that surface
 
-/// A paraxial ray: height and slope against z, in the meaning of dy/dz.
+/// Height and slope against z, in the meaning of dy/dz.
 struct Paraxial
 {
     double y, slope;
@@ -77,7 +77,6 @@ GlassLens::GlassLens(double focalLength, double fStop, double moved)
     {
         if (i + 1 < mSurfaces.size())
             back.y += back.slope * (mSurfaces[i].z - mSurfaces[i + 1].z);
-        // n' u' = n u + y (n' - n)/R with n' in front
         const Surface& s = mSurfaces[i];
         back.slope = (s.after * back.slope + back.y * (s.before - s.after) / s.radius) / s.before;
     }
@@ -134,7 +133,7 @@ void GlassLens::PlaceStop()
     mStopZ = best;
     mEntrancePupil = seen(best, true).first;
     mExitPupil = seen(best, false).first;
-    // f-number: of the entrance pupil
+    // the entrance pupil's f-number
     mStopRadius = mPupilRadius / std::fabs(seen(best, true).second);
     mPupilRadius = mStopRadius * std::fabs(seen(best, false).second);
 }

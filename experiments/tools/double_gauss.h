@@ -35,8 +35,7 @@ struct Passage
 class GlassLens
 {
   public:
-    /// Focal length in mm, and f-number.
-    /// @param moved mm of the file between first element and the others, in addition
+    /// Mm. `moved`: of the file, between first element and the others, in addition.
     GlassLens(double focalLength, double fStop, double moved = 0.0);
 
     double FocalLength() const { return mFocalLength; }
@@ -63,7 +62,7 @@ class GlassLens
     void PlaceStop();
 
     std::vector<Surface> mSurfaces;
-    int mStopAfter = 0;  ///< the stop lies behind this surface, toward the film
+    int mStopAfter = 0;  ///< the stop lies behind this surface
     double mFocalLength = 0.0, mPrintedFocal = 0.0, mSeparation = 0.0;
     double mStopZ = 0.0, mStopRadius = 0.0;
     double mPupilRadius = 0.0, mExitPupil = 0.0, mEntrancePupil = 0.0;

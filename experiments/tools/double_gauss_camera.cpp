@@ -20,7 +20,7 @@ namespace
 const double kFilmWidth = 36.0;
 const double kPi = std::acos(-1.0);
 
-/// Steps of the frame's width and height between the fitted places.
+/// Steps of the frame's width and height between fitted places.
 const int kPlaces = 24;
 
 /// Beyond the paraxial pupil: the stop decides.
@@ -85,7 +85,7 @@ Ray GlassCamera::ToWorld(const Vector& origin, const Vector& direction) const
     return {mLocation + (1.0 / mSetting.sceneUnit) * world(origin), Unit(world(direction))};
 }
 
-/// Film to exit pupil; lens frame.
+/// From film to exit pupil; lens frame.
 Ray GlassCamera::FilmRay(double x, double y, double a, double b) const
 {
     const Vector film = ToLens(-mSetting.filmDistance * Chief(x, y)) - Vector{0.0, 0.0, mGlass.Separation()};
@@ -278,7 +278,7 @@ double GlassCamera::Nearness(const Vector& chief) const
 GlassCamera::Distortion GlassCamera::FittedDistortion(bool near) const
 {
     LeastSquares bend;
-    std::vector<std::array<double, 4>> places;  // the terms and the difference
+    std::vector<std::array<double, 4>> places;
     for (int i = 0; i <= kPlaces; ++i)
         for (int j = 0; j <= kPlaces; ++j)
         {

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file double_gauss_camera.h
-/// The camera of scenes/paper/box_camera.inc with a tilted lens of glass, or a thin lens with some of its properties: two models differ by
-/// one.
+/// The camera of scenes/paper/box_camera.inc with a tilted lens of glass, or a thin lens with some of its properties.
 
 #ifndef PAPER_DOUBLE_GAUSS_CAMERA_H
 #define PAPER_DOUBLE_GAUSS_CAMERA_H
@@ -21,34 +20,32 @@ struct Setting
 {
     int width = 240, height = 160;  ///< pixels of a film 36 mm wide
     double focalLength = 50.0, fStop = 2.8, tilt = 0.0, filmDistance = 0.0, sceneUnit = 10.0;
-    double moved = 0.0;  ///< of the lens's first element, mm of its file
+    double moved = 0.0;  ///< mm of the first element in its file
 };
 
-/// From the ideal lens to the glass.
 enum class Model
 {
-    Thin,        ///< chief rays through one point unbent, one plane of sharp focus, a round pupil
-    Distortion,  ///< chief rays bent as the glass bends them
-    Field,       ///< and the rays of a film point focused where the glass focuses them: its curved
+    Thin,        ///< chief rays unbent through one point, one plane of sharp focus, a round pupil
+    Distortion,  ///< chief rays bent as by the glass
+    Field,       ///< and focused as by the glass: its curved
                  ///< field and astigmatism
-    Pupil,       ///< and coming from where they leave the glass: the pupil's place, shape and rims
+    Pupil,       ///< and from where they leave the glass: the pupil's place, shape and rims
     Glass        ///< and each ray in its own direction: spherical aberration, coma and the rest
 };
 constexpr int kModels = 5;
 
-/// Numbers for `tilt_lens`.
 struct Character
 {
     double distortion1, distortion2;  ///< of the squared distance from the lens's axis, in half widths of the film, and its square
     double distortionNear;            ///< by which the first is greater at Nearness() 1
     double fieldCurvature;            ///< mm by which the image lies before the film half a film's width beside the axis
-    double left, leftWithoutNear;     ///< pixels by which chief rays miss those of the glass: root mean square over the frame
+    double left, leftWithoutNear;     ///< root mean square pixels by which chief rays miss those of the glass
 };
 
 class GlassCamera
 {
   public:
-    /// @param thinOnly Model::Thin at any f-number, nothing traced
+    /// @param thinOnly nothing is traced; Model::Thin at any f-number
     explicit GlassCamera(const Setting& setting, bool thinOnly = false);
 
     const GlassLens& Glass() const { return mGlass; }
@@ -56,27 +53,24 @@ class GlassCamera
     /// From a film point (pixels) through the unit circle about the exit pupil; world, scene units.
     std::optional<Ray> Shoot(Model model, double x, double y, double a, double b) const;
 
-    /// By model, through one point of the stop; none where the glass blocks. World, scene units.
+    /// By model, through one point of the stop; none where the glass blocks.
     std::optional<std::array<Ray, kModels>> ShootAll(double x, double y, double a, double b) const;
 
-    /// A rim may still end it.
     bool Vignetted(double x, double y, double a, double b) const;
 
     /// Least squares over the frame: chief rays, then mean focus (without astigmatism).
     Character Fitted() const;
 
-    /// An ideal lens, the stop points of ShootAll(). World, scene units.
+    /// An ideal lens, the stop points of ShootAll().
     std::optional<Ray> ShootCharacter(const Character& character, double x, double y, double a, double b) const;
 
     /// Along the camera's axis, scene units.
     double Depth(const Vector& point) const;
 
-    /// By a pinhole in the lens centre.
     std::array<double, 2> PixelAt(const Ray& ray, double depth) const;
 
   private:
-    /// Along the lens's axis, for an ideal lens.
-    /// @param chief of the film point, camera frame, 1 along the camera's axis
+    /// Along the lens's axis, for an ideal lens. `chief`: camera frame, 1 along the camera's axis.
     double Nearness(const Vector& chief) const;
 
     struct Distortion

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 // The box scene by a tilted lens of glass: rays from each pixel through every surface. --model: an ideal lens with some properties
-// (double_gauss_camera.h); --line: how far, in pixels, each property displaces the rays.
+// (double_gauss_camera.h); --line: the rays' displacement by each property, in pixels.
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +43,7 @@ bool Near(const std::vector<double>& lines, double reach, double x, double y)
     return false;
 }
 
-/// The whole picture, or only the surroundings of the lines within `reach`, black elsewhere.
+/// Black beyond `reach` of the lines, if there are any.
 witness::Picture Photograph(const paper::Setting& setting, const GlassCamera& camera, Model model, int samples,
                             const std::vector<double>& lines, double reach)
 {

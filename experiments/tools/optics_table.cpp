@@ -6,7 +6,7 @@
 //     tan(theta_L) = f_p tan(theta_F) / (U + f_p)
 //
 // theta_F: plane of sharp focus to film, U: its distance on the axis, f_p: film distance (the paper's focal length), theta_L: the lens's
-// angle. Left: the solver, also reversed; right: long double.
+// angle.
 
 #include <cmath>
 #include <cstdio>
@@ -34,7 +34,6 @@ struct Row
     double error, reverseError, focalLength;
 };
 
-/// At the origin, along z, film 36 mm wide.
 tilt_lens::CameraFrame Camera(double filmDistance)
 {
     return {{}, {0, 0, 1}, {0.036 / filmDistance, 0, 0}, {0, 0.024 / filmDistance, 0}};
@@ -46,7 +45,6 @@ double Relative(long double value, long double truth)
     return static_cast<double>(std::fabs(value - truth) / std::fabs(truth) / epsilon);
 }
 
-/// The equation against the solver, in both directions.
 Row Solve(double focusTilt, double distance, double filmDistance)
 {
     Row row{focusTilt, distance, filmDistance, 0, 0, 0, 0, 0, 0};

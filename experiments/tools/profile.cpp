@@ -1,8 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Brightness along a line as CSV and plot, with differences to the first picture in 8-bit levels; moments of spots, edges, blur,
-// steepness.
+// Brightness along a line, with differences in 8-bit levels to the first picture; moments of spots, edges, blur, steepness.
 
 #include <cstdio>
 #include <fstream>
@@ -56,7 +55,7 @@ void WriteCsv(const std::string& path, const std::vector<Curve>& curves, double 
         throw std::runtime_error("cannot write " + path);
 }
 
-/// gnuplot's single quotes: a quote is written twice.
+/// A quote is written twice.
 std::string Quoted(const std::string& text)
 {
     std::string quoted = "'";

@@ -13,7 +13,6 @@ namespace paper
 namespace
 {
 
-/// In parts of the disc.
 struct Disc
 {
     int reach = 0;
@@ -117,7 +116,6 @@ class Match
     }
 
   private:
-    /// In the middle of a pixel.
     int Fine(int pixel) const { return mFiner * pixel + mFiner / 2; }
 
     double At(int column, int row) const

@@ -24,8 +24,8 @@ struct Blur
     double residual = 0.0;  ///< RMS residual of the fitted disc, in parts of the contrast
 };
 
-/// At most `widest` pixels across, by least squares of linear luminance in the window. The sharp picture may be 3, 5 ... times finer.
-/// Beyond its edge its last pixels go on.
+/// At most `widest` pixels across, by least squares of linear luminance in the window. The sharp picture may be 3, 5 ... times finer;
+/// beyond its edge its last pixels go on.
 /// @throws std::invalid_argument unfit sizes, a window outside, or without contrast
 Blur BlurBetween(const witness::Picture& sharp, const witness::Picture& blurred, const Window& window, double widest);
 

@@ -31,7 +31,6 @@ def whole(text):
 
 
 def seconds(text):
-    """Seconds of a duration such as 90, 30m or 2h."""
     found = re.fullmatch(r"(\d+)([smh]?)", text)
     if not found or int(found.group(1)) < 1:
         raise argparse.ArgumentTypeError(f"{text!r}: expected seconds, or a number with m or h, as in 30m")
@@ -98,7 +97,6 @@ def parser():
 
 
 def finish(work, description):
-    """Joins pictures and makes the contact sheet. Returns complaints."""
     bands = len(description["key"]["bands"])
     complaints = []
     for name in work.names("running"):
@@ -136,7 +134,6 @@ def make_sheet(work, description):
 
 
 def work_through(work, description, settings, engine):
-    """Repeats until no missing unit is worth another try."""
     line = progress.Progress(work, description, settings.quiet)
     complaints = []
     for _ in range(1 + settings.retries):
@@ -156,7 +153,7 @@ def work_through(work, description, settings, engine):
 
 
 def tasks_of(description, missing, settings, engine):
-    """Makes tasks long enough to be worth their start, yet enough for all workers."""
+    """Tasks long enough to be worth their start, yet enough for all workers."""
     estimate, bands = description["estimate"], len(description["key"]["bands"])
     seconds = estimate["picture"] / bands + estimate["start"]
     parallel = engine.workers(settings, description["threads"])
@@ -167,7 +164,6 @@ def tasks_of(description, missing, settings, engine):
 
 
 def report(work, description, complaints, elapsed):
-    """Prints and stores summary and failures; returns the exit code."""
     state = progress.State(work, description)
     lines = [
         *complaints,
@@ -189,7 +185,6 @@ def report(work, description, complaints, elapsed):
 
 
 def afterwards(work, description, command):
-    """Runs the user's command; returns 1 if it fails."""
     if not command:
         return 0
     names = {"BATCH_OUTPUT": description["output"], "BATCH_WORK": str(work.folder)}

@@ -40,7 +40,7 @@ class Request:
         self.program = program
 
     def picture_kind(self):
-        """Kind of the pictures, from +F and the output's name, which must agree."""
+        """From +F and the output's name, which must agree."""
         asked = self.inputs.options.kind
         named = None
         if self.kind == "still" and self.settings.output:
@@ -67,7 +67,6 @@ class Request:
         self.work = os.path.join(folder, self.settings.work or output + ".batch")
 
     def key(self):
-        """The part of the key that does not depend on the scene."""
         return {
             "format": 1,
             "kind": self.kind,
@@ -84,7 +83,6 @@ class Request:
         }
 
     def changeable(self):
-        """Settings that do not change pixels."""
         return {
             "threads": self.threads,
             "retries": self.settings.retries,
@@ -112,7 +110,6 @@ class Request:
 
 
 def understood(settings, words):
-    """The request; errors in it are UsageErrors."""
     try:
         return Request(settings, words)
     except BatchError as error:
@@ -120,7 +117,7 @@ def understood(settings, words):
 
 
 def take_up(work, request, stored):
-    """Resumes the batch if its key is unchanged; else returns None."""
+    """Returns None if the batch's key has changed."""
     old, new = stored["key"], request.key()
     if stored["hash"] != keys.key_hash(old):
         raise BatchError(f"{str(work.description)!r} is damaged. Start over with --anew.")
@@ -213,7 +210,7 @@ def output_alone(work, request):
 
 
 def choose_bands(request, probe, size, engine):
-    """Bands as requested, or enough for the workers while each is worth its start."""
+    """As requested, or enough for the workers while each band is worth its start."""
     asked, count = request.settings.bands, len(request.pictures)
     if asked == 1:
         return {"picture": 0.0, "start": 0.6}, 1

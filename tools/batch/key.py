@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The key of a batch: all that its pixels depend on.
 
-POV-Ray lists files that it reads or looks for in vain (TILT_LENS_FILE_LIST). The key hashes those of the first render; a unit's record
-hashes further ones. A part is reused only if every file is unchanged and none has appeared where POV-Ray looked."""
+POV-Ray lists files that it reads or looks for in vain (TILT_LENS_FILE_LIST). The key hashes those of the first render, a unit's record
+further ones. A part is reused only if no file has changed or appeared."""
 
 import hashlib
 import json
@@ -40,7 +40,7 @@ class Links:
 
 
 def listed_files(path, links):
-    """(read, missing): the user's files."""
+    """(read, missing) as the user's paths."""
     try:
         entries = path.read_bytes().split(b"\0")
     except FileNotFoundError:
@@ -58,13 +58,12 @@ def listed_files(path, links):
 
 
 def file_stamp(path):
-    """Size and modification time: while these stay, the hash is not computed again."""
     state = os.stat(path)
     return [state.st_size, state.st_mtime_ns, state.st_ino]
 
 
 def change_stamps(paths):
-    """Path -> stamp, None for no file. It includes the time when the directory entry changed, which cannot be set back."""
+    """{path: stamp, or None}. Includes the time of the entry's change, which cannot be set back."""
     stamps = {}
     for path in paths:
         try:
@@ -75,7 +74,7 @@ def change_stamps(paths):
 
 
 def changed_since(path, before, moment):
-    """True if the path has changed since its stamp or, without a stamp, since a moment (epoch seconds) by the file system's clock."""
+    """Compares with the stamp or, without one, with a moment (epoch seconds) by the file system's clock."""
     if path in before:
         return change_stamps([path]) != {path: before[path]}
     return os.stat(path).st_ctime_ns > (moment - 0.02) * 1e9
@@ -127,7 +126,6 @@ def short(value):
 
 
 def first_difference(these, those):
-    """Length of a list, and its first element that the other lacks."""
     other = [item for item in these if item not in those]
     first = other[0] if other else None
     told = f", among them {first['name'] if isinstance(first, dict) else first}" if first else ""

@@ -71,4 +71,4 @@ def run(work, description, tasks, settings, progress):
 def end(process):
     process.send_signal(signal.SIGKILL)
     process.wait()
-    time.sleep(0.3)  # lets the last of them end
+    time.sleep(0.3)

@@ -20,7 +20,7 @@ IN_INI = re.compile(r"^\s*([+-]K|\w+_Clock|Cyclic_Animation)", re.IGNORECASE | r
 
 
 def single(value):
-    """Rounds to single precision, as POV-Ray's options do."""
+    """In single precision, like POV-Ray's options."""
     return struct.unpack("f", struct.pack("f", value))[0]
 
 
@@ -51,7 +51,7 @@ def without_clock(words):
 
 
 def code_of(path):
-    """The text if it is code, since other files match a pattern by chance."""
+    """None for other files, which match a pattern by chance."""
     try:
         with open(path, encoding="latin-1") as stream:
             return scene_text.blanked(stream.read())
@@ -73,7 +73,6 @@ def sets_clock(inputs):
 
 
 def objection(work, old, new, inputs):
-    """Why frames would differ in the longer film, or None."""
     frames = len(new["pictures"])
     code = {path: code_of(path) for path in files_of(work, old)}
     for path, text in code.items():
@@ -96,7 +95,6 @@ def objection(work, old, new, inputs):
 
 
 def lengthen(work, request, stored, new):
-    """Adds frames to the description, or returns the objection."""
     old = stored["key"]
     longer = request.kind == old["kind"] == "film" and len(new["pictures"]) > len(old["pictures"]) > 1
     if not longer or new["pictures"][: len(old["pictures"])] != old["pictures"]:

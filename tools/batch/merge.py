@@ -26,7 +26,7 @@ def oiiotool(folder, arguments):
 
 
 def band_records(work, key, picture):
-    """Records of the picture's bands. Raises an error for a damaged one, which the next try renders again."""
+    """Raises an error for a damaged band, which the next try renders again."""
     records = []
     for band in range(len(key["bands"])):
         name = unit_name(picture * len(key["bands"]) + band, len(key["bands"]))
@@ -43,7 +43,6 @@ def band_records(work, key, picture):
 
 
 def join(folder, bands, width, target):
-    """Pastes each band's rows: all channels, exact values."""
     words = ["--no-autopremult", "--nosoftwareattrib"]
     for path, (first, last) in bands:
         words += [path, "--crop", f"{width}x{last - first + 1}+0+{first - 1}"]
@@ -64,7 +63,7 @@ def paste(work, key, records, rest, target):
 
 
 def deliver(source, target):
-    """Puts a file in its place in one step, without a copy on the same file system."""
+    """Moves a file in one step, without a copy on the same file system."""
     target.parent.mkdir(parents=True, exist_ok=True)
     new = target.parent / f".new.{os.getpid()}.{source.name}"
     try:
@@ -81,7 +80,6 @@ def deliver(source, target):
 
 
 def merged_files(work, key, picture):
-    """Rest of the name -> (path, hash of the pixels)."""
     records = band_records(work, key, picture)
     rests = set(records[0][1]["files"])
     for name, record in records:

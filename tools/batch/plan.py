@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Plans a batch from a command line.
 
-A picture is one output file; a band is a range of its rows; a unit is one band of one picture, rendered, kept and repeated as a whole. A
-task is a sequence of units."""
+A band is a range of a picture's rows. A unit is one band of one picture, rendered, kept and repeated as a whole. A task is a sequence of
+units."""
 
 import decimal
 import itertools
@@ -14,22 +14,20 @@ from tools.batch.key import Links
 from tools.batch.pov_options import PovOptions
 from tools.batch.store import BatchError, sha256
 
-BLOCK = 32  # rows of POV-Ray's own blocks: stock anti-aliasing depends on their boundaries
-TALL = 256  # rows of a band, if there is a choice: each edge costs 15 to 20 rows in a blurred picture
-POVINC = "povinc"  # link to the folder in the variable POVINC; POV-Ray searches it before those of +L
+BLOCK = 32  # rows of POV-Ray's blocks, on whose boundaries stock anti-aliasing depends
+TALL = 256  # rows of a band: each edge costs 15 to 20 rows in a blurred picture
+POVINC = "povinc"  # link to the folder in POVINC, which POV-Ray searches before those of +L
 MOST_VALUES = 100000
-SECONDS_A_TASK = 5.0  # least worth of a task, ten times the cost of starting POV-Ray
+SECONDS_A_TASK = 5.0  # least worth of a task, ten times the cost of a start
 DEFAULT_INI = ("./povray.ini", "~/.povray/3.7/povray.ini", "{prefix}/etc/povray/3.7/povray.ini", "~/.povrayrc")
 
 
 def safe_name(path, fallback):
-    """The last part of a path, or the fallback if POV-Ray cannot take it."""
     name = os.path.basename(path)
     return name if re.fullmatch(r"[A-Za-z0-9_][A-Za-z0-9_.+-]*\.[A-Za-z0-9]+", name) else fallback
 
 
 def chosen(text, last):
-    """Indices (from 0) of the frames of --only, such as 5-8,12."""
     found = set()
     for part in text.split(","):
         match = re.fullmatch(r"(\d+)(?:-(\d+))?", part.strip())
@@ -41,7 +39,7 @@ def chosen(text, last):
 
 
 def values(text):
-    """Comma-separated values of --set: numbers, FROM:TO:STEP, and texts with their quotation marks."""
+    """Values of --set: numbers, FROM:TO:STEP, and texts with their quotation marks, separated by commas."""
     found = []
     for part in re.split(r',(?=(?:[^"]*"[^"]*")*[^"]*$)', text):
         if '"' in part:
@@ -76,7 +74,6 @@ def values(text):
 
 
 def parse_sets(words):
-    """[(identifier, values)] from --set words."""
     sets = []
     for word in words:
         match = re.fullmatch(r"([A-Za-z_][A-Za-z0-9_]*)=(.+)", word)
@@ -112,8 +109,8 @@ def pictures(kind, stem, extension, frames=1, sets=()):
 
 
 def cut_bands(height, count):
-    """Rows of each band, from 1, inclusive. Cuts lie between POV-Ray's blocks unless bands are more; the first band has two rows, since
-    +SR1 +ER1 means all rows."""
+    """[first, last] rows, from 1. Cuts lie between POV-Ray's blocks unless bands are more. The first band has two rows, since +SR1 +ER1 means
+    all rows."""
     step = BLOCK if count <= -(-height // BLOCK) else 1
     blocks = -(-height // step)
     count = max(1, min(count, blocks if step > 1 else height - 1))
@@ -141,7 +138,6 @@ def read_ini(path):
 
 
 def main_ini(program, folder):
-    """The INI file that POV-Ray would choose, and the files that it looks for before."""
     prefix = os.path.dirname(os.path.dirname(os.path.realpath(program)))
     named = os.environ.get("POVINI")
     candidates = [named] if named else []
@@ -154,7 +150,7 @@ def main_ini(program, folder):
 
 
 class Inputs:
-    """The scene, and the folders in which POV-Ray looks for its files, as in ./render."""
+    """The scene, and the folders in which POV-Ray looks for its files."""
 
     def __init__(self, scene, folder, words, program, repository):
         self.scene = os.path.join(folder, scene)
@@ -197,5 +193,5 @@ class Inputs:
         path.write_text(text, encoding="utf-8", errors="surrogateescape")
 
     def own_files(self):
-        """Files of the key that are not in POV-Ray's list."""
+        """Files of the key that POV-Ray does not list."""
         return {self.ini: sha256(self.ini)} if self.ini else {}

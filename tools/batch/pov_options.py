@@ -48,14 +48,13 @@ FORMATS = {"N": "png", "E": "exr"}
 
 
 def unquoted(text):
-    """Without quotation marks."""
     if len(text) > 1 and text[0] == text[-1] and text[0] in "\"'":
         return text[1:-1]
     return text
 
 
 class PovOptions:
-    """`words` keep their order, because later options override earlier ones."""
+    """Keeps the order, because later options override earlier ones."""
 
     def __init__(self, words):
         self.words, self.libraries, self.inis = [], [], []

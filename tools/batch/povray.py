@@ -14,12 +14,11 @@ from tools.batch.store import BatchError, boot, read_json, write_json
 from tools.povray_run import STATE_HEADER
 
 PICTURE = "picture"  # stem of POV-Ray's files in a unit's folder
-KILLED = (signal.SIGKILL, signal.SIGTERM, signal.SIGINT, signal.SIGHUP, signal.SIGXCPU)  # signals from outside, not faults of the program
+KILLED = (signal.SIGKILL, signal.SIGTERM, signal.SIGINT, signal.SIGHUP, signal.SIGXCPU)  # signals from outside
 PAGE = 4096
 
 
 def ending_with_parent(command):
-    """The kernel kills the command with this process."""
     return ["setpriv", "--pdeathsig", "KILL", *command]
 
 
@@ -36,7 +35,6 @@ def version(program):
 
 
 def arguments(description, picture, rows, size=None):
-    """Arguments for some rows of a picture; `size` for a small version of it."""
     key = description["key"]
     words = [*key["options"], *picture["options"]]
     words += [f"+I{description['input']}", *(f"+L../../inputs/{name}" for name in description["searched"])]
@@ -70,7 +68,7 @@ def state_file(folder):
 
 
 def whole_length(data, trusted):
-    """Bytes of complete messages. If the machine has stopped (not `trusted`), zeros end the result: some pages may be lost."""
+    """Bytes of complete messages. If the machine has stopped (not `trusted`), zeros end them: some pages may be lost."""
     end = len(data)
     if not trusted:
         pages = (at for at in range(STATE_HEADER - STATE_HEADER % PAGE, end, PAGE) if not any(data[max(at, STATE_HEADER) : at + PAGE]))
@@ -79,7 +77,7 @@ def whole_length(data, trusted):
 
 
 def prepare_state(folder):
-    """Returns its reliable length, 0 for none."""
+    """Cuts off the unreliable end; returns the length, 0 for none."""
     path = state_file(folder)
     if path is None:
         return 0
@@ -94,7 +92,7 @@ def prepare_state(folder):
 
 
 def clear_output(folder, also_state=False):
-    """Removes output, since POV-Ray would take a truncated picture for a finished one."""
+    """POV-Ray would take a truncated picture for a finished one."""
     for path in folder.glob(f"{PICTURE}*"):
         if also_state or path.suffix != ".pov-state":
             path.unlink()

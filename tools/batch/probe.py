@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Probes a scene before the batch: files, size, time, and whether pixels depend on the rendered rows, as with radiosity and stock's
-jittered area lights."""
+"""Probes a scene: files, size, time, and whether pixels depend on the rendered rows, as with radiosity and stock's jittered area lights."""
 
 import itertools
 import re
@@ -20,10 +19,10 @@ class Probe:
     def __init__(self, work, description, picture):
         self.work, self.description, self.picture = work, description, picture
         self.read, self.missing = set(), set()
-        self.small = None  # the last result of estimate()
+        self.small = None
 
     def render(self, name, rows, size=None):
-        """Renders rows; returns the folder, the log's text and the duration in seconds."""
+        """Returns the folder, the log's text and the duration in seconds."""
         folder = self.work.probe / name
         folder.mkdir(parents=True, exist_ok=True)
         povray.clear_output(folder, also_state=True)
@@ -68,7 +67,7 @@ class Probe:
             print(f"first look at the scene: {spent:.0f} s so far; log: {log}.{hint}", file=sys.stderr)
 
     def picture_size(self):
-        """Renders two pixels to find the size; their file list goes into the key."""
+        """Renders two pixels; their file list goes into the key."""
         folder, _, _ = self.render("whole", (1, 2))
         return povray.image_info(self.output(folder))["size"]
 
@@ -89,7 +88,6 @@ class Probe:
         return {"picture": processor * pixels / self.description["threads"], "start": max(0.1, seconds - wall)}
 
     def seam(self, size, aligned):
-        """True if cuts change the small picture."""
         small = self.small_size(size)
         cut = 32 if aligned else 19
         if small[1] <= cut or re.search(r"^Tilt Lens Sampling", self.small[1], re.MULTILINE):

@@ -10,7 +10,7 @@ from tools.batch.plan import unit_name
 from tools.batch.store import read_json
 
 
-LOOKED_AT, SHOWN = 64, 3  # running units whose records are read; units named in the progress line
+LOOKED_AT, SHOWN = 64, 3  # running units whose records are read, and those in the progress line
 LONG = 600  # seconds after which a running unit deserves a hint
 
 
@@ -63,7 +63,7 @@ class Running:
 
 
 class Progress:
-    """Progress line, overwritten on a terminal, repeated now and then elsewhere."""
+    """Overwritten on a terminal, repeated now and then elsewhere."""
 
     def __init__(self, work, description, quiet=False):
         self.work, self.description, self.quiet = work, description, quiet
@@ -92,7 +92,6 @@ class Progress:
         )
 
     def at_work(self, state):
-        """The longest-running units; once, a hint about a slow one."""
         units = [Running(self.work, name, self.description) for name in sorted(state.running)[:LOOKED_AT]]
         units.sort(key=lambda unit: -unit.seconds)
         if units and units[0].seconds > LONG and not self.hinted and not self.description.get("limit"):
@@ -121,7 +120,6 @@ class Progress:
 
 
 def log_end(path, lines=6, begins=0, ends=None):
-    """The log's last lines, or those of bytes `begins` to `ends`."""
     try:
         ends = os.path.getsize(path) if ends is None else ends
         with open(path, "rb") as stream:

@@ -10,7 +10,7 @@ from tools.batch import merge, povray
 from tools.batch.store import sync_file
 
 THUMB = 320  # columns of a picture
-STRIP = 26  # rows of a label
+STRIP = 26
 AT_ONCE = 50  # pictures per call: starting oiiotool takes longer than a thumbnail
 
 
@@ -22,7 +22,6 @@ def columns(sets, count):
 
 
 def thumb(link, target, size, label):
-    """A thumbnail; linear values are converted for display."""
     width, height = size
     words = [link, "--ch", "R,G,B"]
     if link.endswith(".exr"):
@@ -39,7 +38,6 @@ def font_file(program):
 
 
 def make(work, description):
-    """Writes the sheet beside the pictures; returns its name."""
     folder = work.folder / "sheet"
     folder.mkdir(exist_ok=True)
     font = work.inputs / "font.ttf"

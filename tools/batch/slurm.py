@@ -40,13 +40,11 @@ def command(*words):
 
 
 def largest_array():
-    """Greatest number of tasks in an array, by the site's MaxArraySize."""
     found = re.search(r"MaxArraySize\s*=\s*(\d+)", command("scontrol", "show", "config"))
     return int(found.group(1)) if found else 1001
 
 
 def workers(settings, threads):
-    """Number of workers, estimated by sinfo."""
     if settings.workers:
         return settings.workers
     words = ["sinfo", "-h", "-o", "%C"] + ([f"--partition={settings.partition}"] if settings.partition else [])
@@ -60,7 +58,7 @@ def site_options(settings):
 
 
 def write_script(work, verb, argument):
-    """Writes a job's script. The shell reads names from it, because they may contain any characters."""
+    """The shell reads names from the script, because they may contain any characters."""
     path = work.folder / f"{verb}.sh"
     write_text(
         path,
@@ -80,7 +78,7 @@ def ranges(numbers):
 
 
 def log_name(work, name):
-    """Log file for sbatch's --output. A backslash disables the %-marks of a folder's name; all tasks then share a file."""
+    """For sbatch's --output. A backslash disables the %-marks of a folder's name; all tasks then share a file."""
     folder = str(work.logs)
     if "\\" in folder:
         return folder.replace("\\", "\\\\") + "/slurm.out"
@@ -88,7 +86,6 @@ def log_name(work, name):
 
 
 def submit(work, description, tasks, settings):
-    """Submits array and last step; returns the job numbers."""
     common = ["sbatch", "--parsable", "--open-mode=append", f"--chdir={work.folder}", *site_options(settings)]
     limit = f"%{settings.workers}" if settings.workers else ""
     array = command(
@@ -120,7 +117,7 @@ def submit(work, description, tasks, settings):
 
 
 def alive(jobs):
-    """Jobs that are waiting or running; Slurm forgets those that have ended."""
+    """Slurm forgets jobs that have ended."""
     listed = command("squeue", "--noheader", "--me", "--format=%A %F")
     known = {number for line in listed.splitlines() for number in line.split()}
     return [job for job in jobs if job in known]
@@ -150,7 +147,7 @@ def interrupted_alone(jobs):
 
 
 def wait(jobs, progress):
-    """Raises an error if they were cancelled."""
+    """Raises an error if the jobs were cancelled."""
     wait_for_end(jobs, progress)
     gone = cancelled(jobs)
     if gone:

@@ -1,11 +1,11 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Where a batch stands, as JSON for other programs: one entry for each picture or band.
+"""The state of a batch as JSON for other programs: one entry for each picture or band.
 
     {"kind": "film", "output": "/home/me/film", "complete": false, "done": 1, "running": 1, "failed": 0, "waiting": 46,
      "units": [{"picture": "film0001.png", "rows": [1, 360], "state": "done", "host": "n1", "seconds": 12.5, "log": ...}]}
 
-`state` is waiting, running, done or failed; `percent` (running) is POV-Ray's last report, `reason` (failed) the message.
+Further members: `percent` (running), POV-Ray's last report, and `reason` (failed).
 """
 
 import json

@@ -1,17 +1,12 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Files of a batch: where they lie in the work folder, and how they are written so that no crash can spoil them.
+"""Files of a batch, and how they are written so that no crash can spoil them.
 
-The work folder:
+In the work folder, besides those of docs/batch.md:
 
-    batch.json          the key (see key.py), units and tasks
-    lock                held by the front end
-    inputs/             links to the scene, its folder and other folders, under names that POV-Ray can take
-    units/PPPPP.BBBB/   one folder for band B of picture P: POV-Ray runs in it
-    running/ done/ failed/ merged/      one small JSON file for each unit (merged: for each picture)
-    log/                one log for each task
-    probe/              the first small renders
-    summary.txt         the last summary
+    lock       held by the front end
+    inputs/    links to the scene and other folders, under names that POV-Ray can take
+    probe/     the first small renders
 """
 
 import contextlib
@@ -25,11 +20,11 @@ import tempfile
 
 
 class BatchError(Exception):
-    """An error that the user can mend; the message has the remedy."""
+    """The user can mend it; the message has the remedy."""
 
 
 class UsageError(BatchError):
-    """A mistake in the command line."""
+    pass
 
 
 def sha256(path):
@@ -41,7 +36,7 @@ def sha256(path):
 
 
 def sync_folder(folder):
-    """Makes the folder's names survive a power failure."""
+    """The folder's names then survive a power failure."""
     handle = os.open(folder, os.O_RDONLY)
     try:
         os.fsync(handle)
@@ -79,7 +74,6 @@ def write_json(path, value):
 
 
 def read_json(path):
-    """None if missing or not JSON."""
     try:
         return json.loads(pathlib.Path(path).read_text(encoding="utf-8"))
     except (OSError, ValueError):
@@ -88,7 +82,7 @@ def read_json(path):
 
 @contextlib.contextmanager
 def locked(path, wait=True):
-    """Yields True if acquired. Child processes do not inherit it."""
+    """Yields True if acquired. Child processes do not inherit the lock."""
     with open(path, "a", encoding="utf-8") as stream:
         try:
             fcntl.flock(stream, fcntl.LOCK_EX | (0 if wait else fcntl.LOCK_NB))
@@ -109,7 +103,7 @@ def little_room(folder):
 def output_lock(path, work, has_jobs):
     """A lock beside the pictures. Yields None, or the work folder of its owner.
 
-    Jobs write pictures without a waiting call: if `has_jobs` is True for a work folder, the lock file stays."""
+    The file stays while `has_jobs`, because jobs write pictures without a waiting call."""
     while True:
         with open(path, "a+", encoding="utf-8", errors="surrogateescape") as stream:
             try:

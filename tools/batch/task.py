@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Renders a task's units in turn and joins finished pictures. A dead worker loses the current tile only: POV-Ray dies with it, and its
-state file is continued."""
+"""Renders a task's units in turn and joins finished pictures. POV-Ray dies with its worker, and its state file is continued."""
 
 import contextlib
 import fcntl
@@ -22,7 +21,6 @@ class Changed(BatchError):
 
 
 def stamps_before(description, folder):
-    """Files known from the key or an earlier try."""
     files = set(description["key"]["files"])
     with contextlib.suppress(BatchError):
         files |= keys.listed_files(folder / "files", keys.Links(description["links"]))[0]
@@ -30,9 +28,7 @@ def stamps_before(description, folder):
 
 
 def check_inputs(description, folder, before, started):
-    """Files read in addition to the key's, which must be unchanged.
-    @param before   stamps_before() the render
-    @param started  start of the render"""
+    """Returns files read in addition to the key's. Raises an error if one has changed since `before`, stamps_before() the render."""
     known, stamps = description["key"]["files"], description["stamps"]
     links = keys.Links(description["links"])
     read, missing = keys.listed_files(folder / "files", links)
@@ -101,7 +97,7 @@ class Unit:
             return False
 
     def attempt(self, attempt, lock):
-        """None, or the reason of a failure and whether another try is in vain."""
+        """Returns None, or the reason of a failure and whether another try is in vain."""
         running = self.work.record("running", self.name)
         told = {"host": os.uname().nodename, "pid": os.getpid(), "try": attempt, "since": time.time()}
         write_json(running, {**told, **self.place_in_log()})
@@ -210,6 +206,6 @@ def run(folder, task):
             try:
                 with locked(work.units / f"{picture:05d}.lock"):
                     merge.merge_picture(work, description, picture)
-            except (BatchError, OSError) as error:  # the batch's last step tries again, and reports
+            except (BatchError, OSError) as error:  # the batch's last step tries again
                 unit.say(f"merging failed: {error}")
     return 0

@@ -31,7 +31,7 @@ SMALL, WIDE = (256, 144), (480, 270)
 
 
 def variants(stem, scene, variable, values, size=SMALL):
-    """Pictures of one scene with several values of a variable: {name: (scene, options, size)}."""
+    """{name: (scene, options, size)} for several values of a variable."""
     return {f"{stem}_{name}": (scene, [f"Declare={variable}={value}"], size) for name, value in values.items()}
 
 
@@ -81,7 +81,6 @@ def layer_commands():
 
 
 def render(povray, folder, scene, options, size, output):
-    """Renders a scene; returns the program's messages."""
     try:
         command = povray_run.command(povray, scene, output, size, *options, library=[povray_run.INCLUDE])
         return povray_run.run(command, folder, limit=None).succeeded().said
@@ -90,7 +89,6 @@ def render(povray, folder, scene, options, size, output):
 
 
 def make_pictures(povray, names):
-    """All pictures if no name is given."""
     unknown = set(names) - set(MADE)
     if unknown:
         sys.exit(f"no such picture: {', '.join(sorted(unknown))}. Known: {', '.join(MADE)}")
@@ -114,7 +112,6 @@ def make_pictures(povray, names):
 
 
 def quality_table(povray):
-    """Samples, reported noise, CPU time of one thread."""
     rows = ["| `Declare=Step=` | samples per pixel: mean, 99%, most | `Standard error` | CPU time, relative |", "| --- | --- | --- | --- |"]
     first = 0.0
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
@@ -134,7 +131,6 @@ def quality_table(povray):
 
 
 def make_drawings(names, folder=DRAWINGS):
-    """All without a name; returns their names."""
     if shutil.which("gnuplot") is None:
         sys.exit("gnuplot is missing: apt-get install gnuplot-nox")
     scripts = {script.stem: script for script in sorted(SCRIPTS.glob("*.gp")) if script.stem != "common"}

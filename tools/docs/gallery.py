@@ -4,7 +4,7 @@
 
     python3 -m tools.docs.gallery                       all of them
     python3 -m tools.docs.gallery chess_by_swing        one
-    python3 -m tools.docs.gallery --small               thumbnails only, in a seventh of the time
+    python3 -m tools.docs.gallery --small               thumbnails only, in a seventh of the time.
 
 Size and options of a picture are those of the command in the scene's opening comment. The full pictures stay in the output folder. With
 --small, the table has the thumbnails' size.
@@ -46,7 +46,6 @@ class Scene:
 
 
 def read_scene(path):
-    """With the options of its comment."""
     command = re.search(rf"^//\s+\./render scenes/gallery/{path.stem}\.pov((?: \S+)*)$", path.read_text(), re.MULTILINE)
     options = command.group(1).split() if command else []
     if not any(option.startswith("+W") for option in options):
@@ -64,7 +63,6 @@ def small(scene):
 
 
 def number(pattern, text, what):
-    """The groups of the pattern, as they were printed."""
     found = re.search(pattern, text)
     if not found:
         sys.exit(f"povray did not report {what}:\n{text[-1500:]}")
@@ -72,7 +70,6 @@ def number(pattern, text, what):
 
 
 def render(scene, arguments):
-    """Returns its file and its line of the table."""
     picture = arguments.output / f"{scene.name}{'_small' if arguments.small else ''}.png"
     command = povray_run.command(
         arguments.povray,
@@ -97,7 +94,7 @@ def render(scene, arguments):
 
 
 def make_thumbnail(picture, scene):
-    """WIDTH pixels wide, in the best quality that keeps it small."""
+    """In the best quality that keeps it small."""
     thumbnail = THUMBNAILS / f"{scene.name}.jpg"
     for quality in range(92, 40, -4):
         subprocess.run(

@@ -2,19 +2,19 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Reads code, commands, links and headings of a Markdown page.
 
-Code in a fence ```povray is an example, and every example is rendered by a test:
+Every example, which is code in a fence ```povray, is rendered by a test:
 
-- With #version it is a whole scene. Its name is in its first line: // tilt.pov: a board and cones
-- Other code has a comment right above its fence with the place where it belongs:
+- A whole scene has #version, and its name in the first line: // tilt.pov: a board and cones
+- Other code has a comment right above its fence:
     <!-- example: camera items -->        is put into a camera that has a view
     <!-- example: tilt_lens items -->     is put into a tilt_lens block of such a camera
     <!-- example: scene -->               has a camera statement; gets #version and objects
     <!-- example: not rendered, REASON -->
 - Further parts of the comment, each behind a semicolon: the texts of "says: TEXT" and "warns: TEXT" must appear in the
-  program's messages; "fails: TEXT" makes the code an example of an error. Without "warns" there must be no warning.
+  messages; "fails: TEXT" makes the code an example of an error. Without "warns" there must be no warning.
 
-Output in a fence ```text is compared with the program's messages if a comment above it names an example of the page:
-<!-- output of tilt.pov +W640 +H360 -->. A line "..." in the output stands for any lines.
+A fence ```text is compared with the messages of an example of the page named in a comment above it:
+<!-- output of tilt.pov +W640 +H360 -->. A line "..." stands for any lines.
 
 Commands are in a fence ```sh, ```bash or ```console, or indented by four blanks.
 """
@@ -29,7 +29,7 @@ MARKER = re.compile(r"^\s*<!--\s*(example|output of)\b:?\s*(.*?)\s*-->\s*$")
 
 
 class BadPage(Exception):
-    """A page that breaks these rules; the message has the place and the remedy."""
+    pass
 
 
 @dataclasses.dataclass
@@ -119,7 +119,6 @@ def examples_of(blocks):
 
 
 def commands_of(page, text):
-    """(line, command); continued lines are joined."""
     found, inside, fenced = [], False, ""
     lines = text.split("\n")
     for number, line in enumerate(lines, 1):

@@ -14,7 +14,7 @@ from tools.focus.tasks import ended, started
 class Editor:
     def __init__(self, session):
         self.session = session
-        self.added = self.index = 0  # cameras that the last change added, and the index of the one before which it did
+        self.added = self.index = 0  # cameras added by the last change, and the index of the one behind them
         self.task = None  # the last task; tasks run one after the other
 
     def start(self, request, view):
@@ -24,11 +24,9 @@ class Editor:
         self.begin(self.undo, "refused", self.tell_all)
 
     def start_trial(self, request, view):
-        """Checks whether the block would do."""
         self.begin(lambda: self.tried(request, view), "untried", lambda told: self.tell(view, told))
 
     def start_pull(self, request, view):
-        """Writes a focus pull, or checks whether it would do; the page receives the answer to the latter."""
         if request["write"]:
             self.begin(lambda: self.pulled(request, view), "refused", lambda told: self.tell_all({**told, "pull": True}))
         else:
@@ -44,7 +42,6 @@ class Editor:
             await self.tell(view, {**told, "chosen": view.chosen})
 
     def begin(self, work, failed, tell):
-        """Starts a task after the one before."""
         self.task = started(self.answered(work, failed, tell, self.task))
 
     async def answered(self, work, failed, tell, previous):
@@ -89,7 +86,6 @@ class Editor:
         return {"state": "written", "kept": kept}
 
     async def pulled(self, request, view):
-        """If the program finds its lenses."""
         session = self.session
         camera, before = await self.camera_to_change(view), session.file.bytes()
         text = session.file.decoded(before)
@@ -99,7 +95,6 @@ class Editor:
         return self.replaced(view, before, after, 0) if request["write"] else {"state": "tried"}
 
     async def tried(self, request, view):
-        """Changes nothing; returns the answer for the page."""
         await self.change(request, view)
         return {"state": "tried"}
 
@@ -110,13 +105,13 @@ class Editor:
         return {"state": "undone"}
 
     def choose(self, added):
-        """Cameras may be added or removed before it."""
+        """Cameras may be added or removed before the chosen one."""
         for view in self.session.views:
             if view.chosen is not None and view.chosen >= self.index + max(0, -added):
                 view.chosen += added
 
     async def look_at(self, view, path, name, more=()):
-        """By a render of one pixel."""
+        """Renders one pixel."""
 
         async def nothing(_):
             return

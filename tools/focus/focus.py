@@ -65,7 +65,7 @@ def real_lenses():
 
 
 async def serve_until_ended(settings, folder):
-    """Until a signal, or the page was left. Signals are held back before and after, so that nothing is left behind."""
+    """Signals are held back before and after, so that nothing is left behind."""
     ended = asyncio.Event()
     for number in ENDING:
         asyncio.get_running_loop().add_signal_handler(number, ended.set)
@@ -77,8 +77,7 @@ async def serve_until_ended(settings, folder):
 
 
 async def serve(settings, folder, ended):
-    """Until an event, or until it was left."""
-    # imported here, because aiohttp loads slowly and help needs none of it
+    # aiohttp loads slowly, and help needs none of it
     from tools.focus.server import Server  # pylint: disable=import-outside-toplevel
     from tools.focus.session import Session  # pylint: disable=import-outside-toplevel
 

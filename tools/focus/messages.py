@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The page's messages, as a schema. All others are refused."""
+"""A schema of the page's messages; all others are refused."""
 
 import json
 
@@ -20,7 +20,7 @@ WORDS = (
 
 
 class BadRequest(Exception):
-    """A message that the page does not send."""
+    pass
 
 
 def need(condition):
@@ -28,12 +28,11 @@ def need(condition):
         raise BadRequest
 
 
-DIGITS = r"-?[0-9]{1,40}(?:\.[0-9]{1,40})?(?:e[-+]?[0-9]{1,3})?"  # a number in a text
+DIGITS = r"-?[0-9]{1,40}(?:\.[0-9]{1,40})?(?:e[-+]?[0-9]{1,3})?"
 VECTOR_TEXT = rf"<{DIGITS}(?:, {DIGITS}){{2}}>"
 BLOCK_PART = rf"(?:[ \n<>,]|(?:{'|'.join(WORDS)}|{DIGITS})(?=[ \n<>,{{}}]))*"
 BLOCK_TEXT = rf"tilt_lens \{{{BLOCK_PART}(?:\{{{BLOCK_PART}\}}{BLOCK_PART})?\}}"
 
-# keys before the camera, and the block
 KEY_TEXT = rf"Tilt_Lens_Key_Points\({DIGITS}, {DIGITS}(?:, {VECTOR_TEXT}){{3}}\)\n"
 HEAD_TEXT = rf'#include "tilt_lens\.inc"\n#declare Tilt_Lens_Keys = 0;\n(?:{KEY_TEXT}){{2,{MOST_KEYS}}}'
 PULL_TEXT = rf"tilt_lens \{{{BLOCK_PART}Tilt_Lens_Pull\(clock, {VECTOR_TEXT}\)\n\}}"
@@ -113,7 +112,7 @@ def not_finite(word):
 
 
 def read(sent):
-    """Parses and checks a message: (its type, its members). @throws BadRequest"""
+    """@throws BadRequest"""
     try:
         message = json.loads(sent, parse_constant=not_finite)
     except (ValueError, RecursionError):

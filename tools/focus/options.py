@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Size and clock in POV-Ray's options, by command line or ini files."""
+"""Size and clock in POV-Ray's options."""
 
 import dataclasses
 import re
@@ -11,7 +11,7 @@ NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 
 
 def settings_in(words, depth=0):
-    """(name, number) of each such option, in POV-Ray's order."""
+    """In POV-Ray's order."""
     for word in words:
         switch = re.fullmatch(rf"[-+](W|H|KFF|KI|KF|K)({NUMBER})", word, re.IGNORECASE)
         named = re.fullmatch(rf"(\w+)\s*=\s*({NUMBER})", word)
@@ -25,7 +25,6 @@ def settings_in(words, depth=0):
 
 
 def lines_of(path, section):
-    """Before the first section, and in the named one."""
     try:
         with open(path, encoding="utf-8", errors="replace") as stream:
             lines = stream.read().splitlines()

@@ -1,6 +1,5 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A page at a socket, which may read slowly."""
 
 import asyncio
 
@@ -10,7 +9,7 @@ DEADLINE = 30  # seconds within which a message must be sent
 
 
 class Peer:
-    """Messages wait in its queue, so that it delays no other. If too slow it is disconnected, and asks again."""
+    """Messages wait in a queue, so that a slow page delays no other. If too slow it is disconnected, and asks again."""
 
     def __init__(self, socket, transport):
         self.socket, self.transport = socket, transport

@@ -13,7 +13,6 @@ from tools.focus.tasks import ended, started
 
 
 def display(colours, gamma):
-    """Colours for a display, as bytes with alpha."""
     colours = numpy.clip(numpy.nan_to_num(colours), 0, 1)
     if gamma is not None and gamma != "sRGB":
         light = colours ** float(gamma)
@@ -24,7 +23,7 @@ def display(colours, gamma):
 
 
 class TruePicture:
-    """`number` counts requests; `values` are the pixels so far (rows, columns, 4); `file` is the finished file."""
+    """`number` counts requests; `values` (rows, columns, 4) are the pixels so far."""
 
     def __init__(self, session):
         self.session = session

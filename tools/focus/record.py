@@ -7,12 +7,10 @@ import os
 from tools.focus import scene_text
 from tools.focus.scene_text import EditError
 
-SHOWN = ("location", "direction", "right", "up", "block")  # by which the camera in use is recognised
+SHOWN = ("location", "direction", "right", "up", "block")  # identify the camera in use
 
 
 class Record:
-    """As the program found them, and the file's stamp then."""
-
     def __init__(self, found, file, stamp):
         self.found, self.file, self.stamp = found, file, stamp
 
@@ -32,19 +30,19 @@ class Record:
         return os.path.realpath(camera["file"]) == self.file.path
 
     def index_in_use(self):
-        """Index of the camera statement that the scene is rendered with, or None."""
+        """None if no camera statement is in use."""
         same = [i for i, camera in enumerate(self.cameras) if all(camera[key] == self.view[key] for key in SHOWN)]
         return same[-1] if same else None
 
     def kept(self, camera):
-        """As text; none if it cannot be parsed."""
+        """Empty if the text cannot be parsed."""
         try:
             return scene_text.kept_at(self.file.text(), camera["line"]) or [] if self.is_own(camera) else []
         except EditError:
             return []
 
     def kept_in_picture(self, index):
-        """Also in the true picture; without an index, of the camera in use."""
+        """Without an index, the camera in use."""
         index = self.index_in_use() if index is None else index
         found = self.kept(self.cameras[index]) if index is not None else []
         return [item for item in found if item.split()[0] not in scene_text.NOT_IN_PICTURE]

@@ -19,8 +19,6 @@ BACKGROUND = 10  # niceness of a render that nobody waits for
 
 
 class RenderError(Exception):
-    """POV-Ray's message, and file and line if known."""
-
     def __init__(self, message, file=None, line=None):
         super().__init__(message)
         self.message, self.file, self.line = message, file, line
@@ -56,7 +54,7 @@ def nameable(path, folder, link):
 
 
 def with_quotes(option):
-    """Quotes the name in a user's option for POV-Ray as the shell quoted it."""
+    """The shell removed the quotation marks of a user's option."""
     if not re.search(r"\s", option) or re.search(r"[\"']", option):
         return option
     head = re.match(r"[-+][IiLlOo]|\w+_(?:Name|Path)=", option)
@@ -64,14 +62,12 @@ def with_quotes(option):
 
 
 class Render:
-    """A background run leaves the processors to the page."""
-
     def __init__(self, program, folder, name, background=False):
         self.program, self.folder, self.name = program, folder, name
         self.niceness = BACKGROUND if background else 0
         self.process = None
         self.stopped = False
-        self.file_list = None  # file in which the program lists the files that it reads
+        self.file_list = None
         self.picture = folder / f"{name}.png"
         self.record = folder / f"{name}.camera.json"
 
@@ -90,7 +86,7 @@ class Render:
         return env
 
     async def run(self, words, preview, on_tile, on_camera=None):
-        """Passes on each tile. Returns its output. @throws RenderError unless it finished or was stopped"""
+        """Returns the output. @throws RenderError unless the run finished or was stopped"""
         state = tiles.StateFile(self.folder / f"{self.name}.pov-state")
         log = self.folder / f"{self.name}.log"
         try:
@@ -130,7 +126,7 @@ class Render:
             await self.stop()
 
     def camera(self):
-        """The camera record of TILT_LENS_PREVIEW, or None until it is written."""
+        """From TILT_LENS_PREVIEW; None until it is written."""
         try:
             return json.loads(self.record.read_text(encoding="utf-8"))
         except (OSError, ValueError):

@@ -12,7 +12,7 @@ from tools.focus.scene_text import EditError
 
 @contextlib.contextmanager
 def in_words(what):
-    """@throws EditError in place of a system error: action and reason"""
+    """@throws EditError in place of a system error"""
     try:
         yield
     except OSError as error:
@@ -28,7 +28,6 @@ def require_writable(path):
 
 
 def require_same(found, expected):
-    """@throws EditError the contents have changed"""
     if found != expected:
         raise EditError("the scene's file was changed meanwhile by somebody else")
 
@@ -48,7 +47,6 @@ def replace(path, before, after):
 
 
 def replaced_in_one_step(path, info, before, after):
-    """False if that would change the owner."""
     handle, new = tempfile.mkstemp(prefix=".focus-", dir=os.path.dirname(path))
     try:
         with open(handle, "wb") as stream:
@@ -70,7 +68,7 @@ def replaced_in_one_step(path, info, before, after):
 
 
 def write_into(path, before, after):
-    """Once the disk has room for it."""
+    """Reserves room on the disk before it overwrites anything."""
     with open(path, "r+b") as stream:
         require_same(stream.read(), before)
         try:

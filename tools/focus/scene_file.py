@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The scene's file: detecting changes, and changing it with a backup."""
+"""Detects changes of the scene's file, and changes it with a backup."""
 
 import contextlib
 import itertools
@@ -47,7 +47,6 @@ def seen_from(location, block):
 
 
 def differences(camera, expected):
-    """Names of properties in which a camera, as the program reports it, differs from the expected one."""
     block, wanted = camera["block"], expected["block"]
     if block is None:
         return ["camera"]
@@ -79,7 +78,7 @@ class SceneFile:
         return replacing.contents(self.path)
 
     def text(self):
-        """The file as text, one character per byte."""
+        """One character per byte."""
         return self.decoded(self.bytes())
 
     @staticmethod
@@ -106,7 +105,6 @@ class SceneFile:
         return os.path.basename(copy)
 
     def keep(self, data):
-        """Writes a backup beside the scene; returns its path."""
         with replacing.in_words("no copy of the scene can be kept in its folder"):
             for number in itertools.count(1):
                 copy = f"{self.path}.before-focus" + (f"-{number}" if number > 1 else "")
@@ -123,7 +121,6 @@ class SceneFile:
         return copy
 
     def undo(self):
-        """Restores the backup. @throws EditError"""
         if self.kept is None:
             raise EditError("there is no change to take back")
         if self.bytes() != self.written:
@@ -134,7 +131,6 @@ class SceneFile:
 
     @staticmethod
     def files_read(file_list, own):
-        """Without those in our own folder."""
         try:
             entries = open(file_list, "rb").read().split(b"\0")
         except OSError:

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The scene as a pinhole, with distances, sent to its pages while it grows."""
+"""The scene as a pinhole sees it, with distances, sent to its pages while it grows."""
 
 import math
 import os
@@ -13,7 +13,7 @@ from tools.focus.record import Record
 from tools.focus.render import Render
 from tools.focus.tiles import PREVIEW, packed
 
-REFINE = ["+A0.1", "+AM2", "+R2"]  # antialiasing in the second pass of the preview
+REFINE = ["+A0.1", "+AM2", "+R2"]  # antialiasing in the second pass
 REFINED_BELOW = 30  # seconds; a slower preview gets no second pass
 
 
@@ -26,15 +26,15 @@ class Preview:
         self.size = list(size)
         self.views = set()
         self.values = None  # rows, columns, 4: red, green, blue, 1/depth
-        self.covered = 0  # number of pixels received
+        self.covered = 0
         self.record = None
-        self.files = set(session.file.stamps)  # that the render has read, or may read
-        self.told = {}  # kind of message -> the last one, for pages that come later
+        self.files = set(session.file.stamps)
+        self.told = {}  # {kind: last message}, for pages that come later
         self.task = None
 
     @property
     def failed(self):
-        """True if it has ended with an error; another try may succeed."""
+        """Another try may succeed."""
         return bool(self.told.get("error", {}).get("message"))
 
     def tell(self, kind, **what):
@@ -46,7 +46,6 @@ class Preview:
             view.send(message)
 
     def show_to(self, view):
-        """Sends it all that the others have."""
         self.views.add(view)
         view.preview = self
         if self.record:

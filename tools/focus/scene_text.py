@@ -4,7 +4,7 @@
 
 import re
 
-# items written by the page; kept items; those that the true picture omits, having a quality of its own
+# written by the page; kept; omitted by the true picture, which has a quality of its own
 WRITTEN = (
     "film_width",
     "focal_length",
@@ -63,7 +63,7 @@ def blanked(text):
 
 
 def comment_end(text, at):
-    """Position behind the comment at a position; comments nest."""
+    """Comments nest."""
     depth = 1
     while depth > 0:
         found = re.compile(r"/\*|\*/").search(text, at)
@@ -75,7 +75,6 @@ def comment_end(text, at):
 
 
 def version_of(text):
-    """The number of the first #version as written, or None."""
     found = re.search(r"#\s*version\s+([0-9.]+)\s*;", blanked(text))
     return found.group(1) if found else None
 
@@ -98,7 +97,7 @@ def statements(code, word, start=0, end=None):
 
 
 def camera_at(text, line):
-    """By its closing brace's line (from 1): (position of the word, opening, closing)."""
+    """By the line (from 1) of its closing brace: (position of the word, opening, closing)."""
     code = blanked(text)
     ends = [s for s in statements(code, "camera") if code.count("\n", 0, s[2]) + 1 == line]
     if len(ends) != 1:
@@ -120,7 +119,6 @@ def line_indent(text, at):
 
 
 def with_item(body, item, value):
-    """None unless the item is a number or a vector of numbers."""
     number = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
     pattern = re.compile(rf"\b{item}\s*(?:<[^<>{{}}#]*>|{number})(?=[\s}}])")
     found = pattern.search(blanked(body))
@@ -158,7 +156,7 @@ def block_in(body):
 
 
 def kept_at(text, line):
-    """kept_items() of the camera whose closing brace is in a line; None without a block."""
+    """None without a block."""
     _, opening, end = camera_at(text, line)
     body = text[opening + 1 : end]
     block = block_in(body)
@@ -170,8 +168,7 @@ def with_items(block, items):
 
 
 def with_block(text, line, block, items):
-    """In the camera whose closing brace is in a line. `items`: name -> value of camera items, None to remove. Other items of the block
-    stay. @throws EditError"""
+    """`items`: {name: value, or None to remove}; others of the block stay. @throws EditError"""
     word, opening, end = camera_at(text, line)
     body = text[opening + 1 : end]
     block = with_items(block, kept_at(text, line) or [])
@@ -188,7 +185,7 @@ def with_block(text, line, block, items):
 
 
 def behind_camera(text, line, block):
-    """The same camera with this block behind it, where its block may come from a macro or have directives. @throws EditError"""
+    """Repeats the camera, whose own block may come from a macro or have directives. @throws EditError"""
     word, _, end = camera_at(text, line)
     if re.search(r"[=(,]\s*$", blanked(text)[:word]):
         raise EditError("the camera is part of a declaration")
@@ -204,7 +201,7 @@ PULL_HEAD = re.compile(r'#include "tilt_lens\.inc"\s+#declare Tilt_Lens_Keys = 0
 
 
 def with_head(changed, text, line, head):
-    """Adds lines before a camera, in place of an earlier focus pull's. The line is of the text before the change. @throws EditError"""
+    """Replaces the lines of an earlier focus pull. The line is of the text before the change. @throws EditError"""
     word = camera_at(text, line)[0]
     start = text.rfind("\n", 0, word) + 1
     if text[start:word].strip():
@@ -217,7 +214,6 @@ def with_head(changed, text, line, head):
 
 
 def with_block_in(body, block, indent, newline):
-    """A camera's text with its block replaced or added; `indent` is that of the camera's line."""
     old = block_in(body)
     if old is None:
         return body.rstrip() + newline + indented(block, indent + "  ", newline) + newline + indent

@@ -29,7 +29,6 @@ POLICY = (
 
 
 def page_files():
-    """Name -> (contents, type) of the page's files."""
     return {path.name: (path.read_bytes(), TYPES[path.suffix]) for path in PAGE.iterdir() if path.suffix in TYPES}
 
 
@@ -43,7 +42,7 @@ class Server:
         self.runner = self.listener = None
 
     async def start(self):
-        """Starts to listen; returns the page's address."""
+        """Returns the page's address."""
         app = web.Application(client_max_size=LONGEST_MESSAGE, middlewares=[self.guard])
         app.router.add_get("/{secret}/", self.index)
         app.router.add_get("/{secret}/page/{name}", self.page)
@@ -82,12 +81,10 @@ class Server:
                 return
 
     def own_host(self, value):
-        """True for this server's numeric address or localhost."""
         return value in (f"{ADDRESS}:{self.port}", f"localhost:{self.port}")
 
     @web.middleware
     async def guard(self, request, handler):
-        """Refuses requests from elsewhere, and sets headers of answers."""
         if not self.own_host(request.headers.get("Host", "")):
             return web.Response(status=403, text="Not this host.\n")
         secret = request.match_info.get("secret", "")
@@ -149,7 +146,6 @@ class Server:
         return socket
 
     async def obey(self, peer, view, text):
-        """Executes a page's message, or closes the connection."""
         try:
             what, message = messages.read(text)
             getattr(self, f"do_{what}")(message, view)

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""One call of ./focus: pages, previews, the true picture, changes to the file."""
+"""One call of ./focus."""
 
 import asyncio
 import contextlib
@@ -26,15 +26,14 @@ class Session:
         self.settings, self.folder = settings, folder
         self.file = scene_file.SceneFile(settings.scene)
         self.views = set()
-        self.number = 0  # of the last preview
-        self.previews = []  # those that a page shows, and those that a page may soon ask for again
-        self.tasks = set()  # of all previews
-        self.told = {}  # kind of message -> the last one, for pages that connect later
+        self.number = 0
+        self.previews = []  # shown by a page, or soon asked for again
+        self.tasks = set()
+        self.told = {}  # {kind: last message}, for pages that connect later
         self.picture = TruePicture(self)
         self.editor = Editor(self)
 
     async def tell(self, kind, **what):
-        """Sends a message to all pages, and keeps it for those that connect later."""
         self.told[kind] = {"type": kind, **what}
         self.send(self.told[kind])
 
@@ -66,7 +65,6 @@ class Session:
         return [*self.settings.options.words, *wrapper.search(self.settings, self.folder), *words]
 
     def start_preview(self):
-        """Starts the preview that the first page will show."""
         self.begin(self.settings.options.clock, None, self.settings.options.size)
 
     def begin(self, clock, frame, size):
@@ -90,7 +88,6 @@ class Session:
         preview.show_to(view)
 
     def drop_unused(self, wanted):
-        """But for the wanted one and the one for new pages."""
         options = self.settings.options
         first = (options.clock, None, list(options.size))
         for preview in self.previews.copy():
@@ -112,7 +109,7 @@ class Session:
         self.file.watch(set().union(*(preview.files for preview in self.previews)))
 
     def described(self, error):
-        """With its line. Prints a fault of this program as well."""
+        """Prints a fault of this program as well."""
         if isinstance(error, OSError):  # such as a full disk
             error = RenderError(f"The picture cannot be made: {error.strerror}")
         elif isinstance(error, EditError):
@@ -142,5 +139,5 @@ class Session:
 
 
 def as_text(message):
-    """A message as JSON. @throws ValueError for non-finite numbers"""
+    """@throws ValueError for non-finite numbers"""
     return json.dumps(message, allow_nan=False)

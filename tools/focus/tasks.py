@@ -12,20 +12,19 @@ def print_fault(task):
 
 
 def started(coroutine):
-    """Prints the exception that ends it."""
+    """Prints the exception that ends the task."""
     task = asyncio.create_task(coroutine)
     task.add_done_callback(print_fault)
     return task
 
 
 async def ended(task):
-    """Waits for the end of a task, or of None, and ignores its outcome."""
+    """Ignores the outcome."""
     if task:
         await asyncio.wait([task])
 
 
 async def stopped(task):
-    """Cancels a task, or None, and waits for its end."""
     if task:
         task.cancel()
     await ended(task)

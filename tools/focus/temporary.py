@@ -10,7 +10,7 @@ import shutil
 import tempfile
 
 PREFIX = "focus-"
-LOCK = "in-use"  # locked during the call, whatever ends it
+LOCK = "in-use"
 
 
 @contextlib.contextmanager
@@ -27,7 +27,7 @@ def folder():
 
 
 def remove_left():
-    """Only those of this user's ended calls."""
+    """Removes only those of this user's ended calls."""
     with os.scandir(tempfile.gettempdir()) as entries:
         found = [entry.path for entry in entries if entry.name.startswith(PREFIX) and is_ours(entry)]
     for path in found:

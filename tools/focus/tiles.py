@@ -14,11 +14,10 @@ from tools.povray_run import STATE_HEADER, whole_messages
 VECTORS = {b"VFL4": ">f4", b"VIN4": ">i4"}
 
 
-PREVIEW, PICTURE = 1, 2  # kinds of a rectangle for the page
+PREVIEW, PICTURE = 1, 2  # of a rectangle for the page
 
 
 def packed(kind, number, left, top, values):
-    """Six whole numbers, then the values."""
     rows, columns = values.shape[:2]
     head = struct.pack("<6I", kind, number, left, top, columns, rows)
     return head + numpy.ascontiguousarray(values).tobytes()
@@ -35,7 +34,6 @@ class Tile:
 
 
 def attributes(message):
-    """Name -> bytes, or numbers for vectors."""
     (count,) = struct.unpack(">i", message[24:28])
     found, at = {}, 28
     for _ in range(count):
@@ -52,7 +50,6 @@ def attributes(message):
 
 
 def tile_of(message):
-    """A message's tile, or None."""
     found = attributes(message)
     try:
         left, top, right, bottom = (struct.unpack(">i", found[name])[0] for name in (b"Left", b"Top ", b"Righ", b"Bott"))
@@ -76,10 +73,9 @@ class StateFile:
         path.unlink(missing_ok=True)
         path.touch()
         self.stream = open(path, "rb")
-        self.data = b""  # the header, and what is not yet read
+        self.data = b""  # header and unread bytes
 
     def tiles(self):
-        """Tiles completed since the last call."""
         self.data += self.stream.read()
         ends = whole_messages(self.data)
         for at, end in zip(ends, ends[1:]):

@@ -12,8 +12,8 @@ class View:
         self.session, self.send = session, send
         options = session.settings.options
         self.clock, self.size = options.clock, list(options.size)
-        self.chosen = None  # index of the camera; None: the scene's own
-        self.record = None  # of the scene at this clock
+        self.chosen = None  # camera; None: the scene's own
+        self.record = None
         self.preview = None
 
     def take(self, record, size):

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The scene with another camera: a file that includes the scene and states the camera, because POV-Ray takes the last one."""
+"""A file that includes the scene and states another camera, because POV-Ray takes the last one."""
 
 import os
 import re
@@ -22,7 +22,6 @@ def vector(values):
 
 
 def write(folder, scene, camera, inside, name="scene"):
-    """`inside`: rest of the camera. Returns its path."""
     text = open(scene, encoding="latin-1").read()
     version = scene_text.version_of(text)
     included = str(scene)

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file layers.h
-/// Picture, layers, and the blur for another plane of sharp focus.
+/// Layers of a picture, and the blur for another plane of sharp focus.
 ///
 /// A chief ray leaves the lens centre C along d, of depth 1. At the depth z the signed blur is K (1/z - N.d / (D - N.C)) pixels, for the
-/// plane N.X = D. K, the same for all pixels, follows from the layer `blur` and the header's plane.
+/// plane N.X = D. K follows from the layer `blur` and the header's plane.
 
 #ifndef REFOCUS_LAYERS_H
 #define REFOCUS_LAYERS_H
@@ -27,7 +27,7 @@ struct Mistake : std::runtime_error
 
 double Dot(const Vec3& a, const Vec3& b);
 
-/// Points X with normal.X = distance, in world coordinates.
+/// Points X with normal.X = distance, world coordinates.
 struct Plane
 {
     Vec3 normal;
@@ -54,7 +54,6 @@ struct Layers
     double fStop = 0.0;  ///< of the render
     double blurFactor = 0.0;  ///< K above, pixels times scene units
 
-    /// In pixels.
     /// @throws Mistake the plane passes through the lens centre
     double BlurWith(const Plane& plane, std::size_t pixel) const;
 };

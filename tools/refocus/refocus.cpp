@@ -45,7 +45,6 @@ Plane NewPlane(const Arguments& arguments, const Layers& layers)
     return {layers.focus.normal, Dot(layers.focus.normal, layers.positions[pixel])};
 }
 
-/// Change from the existing blur to the new one; warns of impossible pixels.
 std::vector<float> Missing(const Layers& layers, const Plane& plane, double scale)
 {
     std::vector<float> diameters;

@@ -11,7 +11,6 @@ export const isSize = value => isNumber(value) && value > 0;
 const isVector = (value, count = 3) => Array.isArray(value) && value.length === count && value.every(isNumber);
 export const areVectors = (value, least, most) => Array.isArray(value) && value.length >= least && value.length <= most && value.every(v => isVector(v));
 
-/// Tests of a block's members beyond the kind of PLAIN's own.
 const MEMBERS = {
     family: value => FAMILIES.includes(value), points: value => areVectors(value, 3, 3), sharpPoints: value => areVectors(value, 0, MOST),
     shift: value => isVector(value, 2), focalLength: value => value === null || isSize(value), fStop: isSize,
@@ -26,7 +25,7 @@ export function isState(state) {
         (state.real === null || ["focalLength", "fStop", "tilt", "shift"].every(name => isNumber(state.real?.[name])));
 }
 
-/// A short mark of a text (FNV-1a of 32 bits).
+/// FNV-1a of 32 bits.
 export function markOf(text) {
     let mark = 0x811c9dc5;
     for (const byte of new TextEncoder().encode(text))
@@ -40,7 +39,6 @@ export function writeAddress(kept) {
     history.replaceState(null, "", `#${text.replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "")}`);
 }
 
-/// Reads the value that writeAddress() stored; null without one.
 export function readAddress() {
     try {
         const text = atob(location.hash.slice(1).replaceAll("-", "+").replaceAll("_", "/"));

@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The other lens's picture and numbers, with the shown lens's points.
-
 import { blurOfPoint, project } from "./lens.js";
 import { openBlur } from "./blur.js";
 import { pixels, stop } from "./more.js";
@@ -37,7 +35,6 @@ function showMarks(place, { lens }, points, blurs) {
 }
 
 /// @param pick (x, y) of the film in the other picture, whose lens is shown by then
-/// @returns show()
 export function buildBeside(find, pair, live, pick) {
     const { model } = pair, picture = find("other-picture"), box = find("beside"), radios = document.querySelectorAll("input[name=pair]");
     let blur = null;

@@ -10,11 +10,11 @@ import { WORLD, movedDirection, movedPoint, planeBefore } from "./place.js";
 
 const DIGITS = 7;
 
-/// compared with the program's answer: always, and by family
+/// Compared with the program's answer: always, and by family.
 const EXPECTED = ["family", "filmWidth", "focalLength", "sceneUnit", "shift", "fStop", "blades", "bladesAngle"];
 const FOCUS = { lensTurn: ["tilt", "swing", "focalPoint"], plane: ["planeNormal", "planeDistance"], points: ["points"], sharp: ["sharpPoints", "sharpWithin"] };
 
-/// A number with few digits, for a length of this size; rounding errors become 0.
+/// Few digits for a length of this size; rounding errors become 0.
 export function rounded(value, size = Math.abs(value)) {
     if (!(size > 0) || Math.abs(value) < 1e-9 * size)
         return 0;
@@ -29,13 +29,12 @@ function text(value) {
     return /e/.test(plain) ? value.toExponential().replace("e+", "e") : plain;
 }
 
-/// Within a fifth of a millionth.
+/// The fewest digits within a fifth of a millionth.
 const short = value => [1, 2, 3, 4, 5, 6].map(digits => Number(value.toPrecision(digits))).find(few => Math.abs(few - value) < 2e-7 * Math.abs(value)) ??
     rounded(value);
 
 const roundedVector = (v, size = length(v)) => v.map(x => rounded(x, size));
 
-/// Picked, or near the picture's content.
 export function threePoints(model) {
     if (model.block.family === "points")
         return model.block.points;
@@ -47,13 +46,12 @@ export function threePoints(model) {
     return [first, along(first, size, x), along(first, size, y)];
 }
 
-/// With digits for its distance from the lens.
 const pointIn = ({ inverse }, lens) => world => {
     const local = movedPoint(inverse, world);
     return roundedVector(local, length(subtract(local, movedPoint(inverse, lens.location))));
 };
 
-/// The blur within which the points are held, millimetres on the film, as the text states it.
+/// Millimetres on the film.
 function widestBlur({ within, onFilm, width }, { filmWidth }) {
     const blur = within * filmWidth / width;
     return onFilm ? rounded(blur) : blur;
@@ -95,7 +93,6 @@ function focusItems(block, { within, onFilm }) {
     return [block.tilt && `tilt ${text(block.tilt)}`, block.swing && `swing ${text(block.swing)}`];
 }
 
-/// The expected block in world coordinates.
 function expected(block, { matrix, inverse, scale }, camera, { width }) {
     const plane = planeBefore(inverse, { normal: unit(block.planeNormal), distance: block.planeDistance });
     const world = {
@@ -147,19 +144,16 @@ export function describe(model, form, place = model.place) {
     };
 }
 
-/// Text for the camera, and a block for a camera without transformations, which takes no items.
 export function change(model, form) {
     const { block, expect } = describe(model, form === "angles" ? "plane" : form, { ...WORLD, scale: model.place.scale });
     return { ...describe(model, form), behind: { block, expect } };
 }
 
-/// Some keys, and one time between two.
 function timesToTry(keys) {
     const times = (keys.length <= 4 ? keys : [keys[0], keys[1], keys.at(-1)]).map(key => key.time);
     return [...times, keys[0].time + (keys[1].time - keys[0].time) / 4];
 }
 
-/// Keys before the camera, and the block.
 /// @returns as describe(), and { head: text, checks: [{ time, expect }] }
 export function describePull(model, keys) {
     const { place, lens } = model, plain = describe(model, "plane"), point = pointIn(place, lens);
@@ -179,7 +173,6 @@ export function describePull(model, keys) {
     };
 }
 
-/// @param kept further items of the block, as text
 export function copyText({ items, block }, kept = []) {
     const lines = Object.entries(items).filter(([, value]) => value !== null).map(([name, value]) => `${name} ${value}`);
     return [...lines, block.replace(/}$/, [...kept.map(item => `  ${item}\n`), "}"].join(""))].join("\n");

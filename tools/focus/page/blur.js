@@ -1,9 +1,8 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The live picture: draws the preview through a lens on the graphics processor.
-///
-/// A change draws one pass at reduced size; at rest, passes at full size are averaged.
+/// Draws the preview through a lens on the graphics processor: a change draws one pass at reduced size; at rest, passes at full size are
+/// averaged.
 
 import { along, cross, dot, length, times, unit } from "./vector.js";
 import { axisFocusOf, blurPerVergence, frameMap, inFrame, planeOfBlur } from "./lens.js";
@@ -11,19 +10,19 @@ import { newProgram, newTarget, newTexture, setSize } from "./gl.js";
 import { Reach, TILE } from "./reach.js";
 import { DISPLAY, GATHER, LIST } from "./shaders.js";
 
-const WANTED = 24;         // milliseconds for a picture during motion: with the rest of the page, 30 per second
+const WANTED = 24;         // milliseconds for a picture during motion: 30 per second with the rest of the page
 const SMALLEST = 0.125;    // of the full size, during motion
-const SIZES = 16;          // steps of that size, because changing it takes time
+const SIZES = 16;          // steps of the size, because a change takes time
 const MOVING_TAPS = 16, RESTING_TAPS = 32;
-const PASSES = 24;         // passes until the picture is smooth
-const STRIP = 20;          // milliseconds for a part of a pass at full size; a click waits no longer
-const LEAST_STRIPS = 16;   // most parts of a pass
+const PASSES = 24;         // until the picture is smooth
+const STRIP = 20;          // milliseconds for a part of a pass at full size, for which a click waits
+const LEAST_STRIPS = 16;
 const PATIENCE = 15000;    // milliseconds of work after which the picture counts as smooth
 const PEAKING = [1, 0.05, 0.35];
 /// Near limit, plane of sharp focus, far limit: the colours of show_planes.
 const TINTS = [[0.95, 0.50, 0.05], [1, 1, 1], [0.05, 0.30, 0.95]];
 
-/// Points of the diaphragm and of the disc around it: Roberts's R2 sequence, mapped to the shape.
+/// Diaphragm and the disc around it: Roberts's R2 sequence, mapped to the shape.
 function lensPointList(corners, turn) {
     const list = new Float32Array(4 * LIST), corner = k => turn + 2 * Math.PI * k / corners;
     for (let i = 0; i < LIST; i++) {
@@ -39,7 +38,7 @@ function lensPointList(corners, turn) {
     return list;
 }
 
-/// 1/distance at x, y of a film; 0 without a surface, NaN outside the preview { values, width, height, frame }.
+/// 1/distance; 0 without a surface, NaN outside the preview.
 export function inverseDepthOf({ values, width, height, frame }, lens, x, y) {
     const [ox, oy, fx, fy] = frameMap(lens, frame);
     const column = Math.floor((ox + fx * x + 0.5) * width), row = Math.floor((0.5 - oy - fy * y) * height);
@@ -87,7 +86,6 @@ class Blur {
         this.undisplayed = false; // a pass is complete but not yet shown
     }
 
-    /// Starts a preview of that size, empty or with the values of another picture of it.
     begin(width, height, values = null) {
         this.width = width;
         this.height = height;
@@ -102,7 +100,6 @@ class Blur {
         gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, width, height, 0, gl.RGBA, gl.FLOAT, this.values);
     }
 
-    /// A rectangle of the preview: red, green, blue, 1/distance.
     take(left, top, width, height, values) {
         for (let row = 0; row < height; row++)
             this.values.set(values.subarray(row * width * 4, (row + 1) * width * 4), ((top + row) * this.width + left) * 4);
@@ -141,7 +138,6 @@ class Blur {
         return this.undisplayed || this.pass === 0 || (this.blurs && this.pass < PASSES && this.spent < this.patience);
     }
 
-    /// In motion the whole picture, reduced; else a part of a pass.
     draw(moving) {
         if (!this.values || !this.lens || !this.frame)
             return;
@@ -170,7 +166,6 @@ class Blur {
     }
 
     adapt(moving, part, time) {
-        // the change of size takes time as well
         const usual = this.wasMoving || time > 2 * WANTED;
         this.work = time;
         this.wasMoving = moving;
@@ -182,7 +177,6 @@ class Blur {
         this.spent += part ? time : 0;
     }
 
-    /// After a part of a pass (`inside`) or the picture.
     wait(inside) {
         const gl = this.gl;
         gl.readPixels(0, 0, 1, 1, gl.RGBA, inside ? gl.FLOAT : gl.UNSIGNED_BYTE, inside ? new Float32Array(4) : new Uint8Array(4));
@@ -208,7 +202,7 @@ class Blur {
         }
     }
 
-    /// From below; `before`: mean of earlier passes.
+    /// Rows count from below; `before`: mean of earlier passes.
     gather(target, before, size, taps, from, to) {
         const gl = this.gl;
         setSize(gl, target, size);
@@ -231,7 +225,7 @@ class Blur {
         gl.disable(gl.SCISSOR_TEST);
     }
 
-    /// Corners (0: round), direction of the first, radians.
+    /// 0 corners: round. `turn`: direction of the first, radians.
     setBlades(corners, turn) {
         if (this.blades?.[0] === corners && this.blades[1] === turn)
             return;
@@ -241,7 +235,6 @@ class Blur {
         gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, LIST, 1, 0, gl.RGBA, gl.FLOAT, lensPointList(corners, turn));
     }
 
-    /// Shows the last drawing, at its size, with the overlays.
     display() {
         const gl = this.gl, { lens, show, canvas } = this, size = this.blurs ? this.shown.size : [this.width, this.height];
         if (canvas.width !== size[0] || canvas.height !== size[1])
@@ -286,7 +279,6 @@ class Blur {
         return { x: times(1 / this.gridSpacing, x), y: times(1 / this.gridSpacing, cross(normal, x)) };
     }
 
-    /// Returns setters for textures and uniforms.
     use(shader, parts, size) {
         const gl = this.gl, name = [shader === GATHER ? "gather" : "display", ...parts].join(" "), { lens } = this;
         const { program, places } = (this.programs[name] ??= newProgram(gl, shader, parts));

@@ -7,7 +7,7 @@ const nameOf = ({ line, own, file }) => `line ${line}${own ? "" : ` of ${file.sp
 
 /// @param on { camera(index), clock(value), moved(value): the clock moves }
 export function buildCameras(find, on) {
-    const choice = find("camera"), clock = find("clock"), clocks = [clock, find("time")]; // in the head, and beside the focus pull
+    const choice = find("camera"), clock = find("clock"), clocks = [clock, find("time")];
     let cameras = [];
     choice.onchange = () => on.camera(Number(choice.value));
     const time = () => Number(Number(clock.value).toPrecision(6));
@@ -28,7 +28,6 @@ export function buildCameras(find, on) {
     return {
         time,
         setTime,
-        /// @param index of the shown camera, or null
         show({ name, cameras: all, animated, clock: now, clocks: [least, most] }, index) {
             this.animated = animated;
             cameras = all;
@@ -48,7 +47,6 @@ export function buildCameras(find, on) {
                 Object.assign(slider, { min: least, max: most, step: (most - least) / CLOCK_STEPS || 1 });
             setTime(animated || now !== null ? now ?? least : clock.value);
         },
-        /// As text; the page does not write them.
         kept: () => cameras[Number(choice.value)]?.kept ?? [],
     };
 }

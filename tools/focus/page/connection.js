@@ -1,11 +1,11 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The connection to the program. After a break it is opened again, and the program sends everything.
+/// After a break the connection is opened again, and the program sends everything.
 
 const HEAD = 24; // kind, number, left, top, width, height
 const FOR_GOOD = [1000, 1001, 1008]; // codes with which the program closes a connection for good
-const AGAIN = 300; // milliseconds until the connection is opened again
+const AGAIN = 300; // milliseconds
 
 export function connect(on) {
     let socket;

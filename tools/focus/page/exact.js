@@ -1,14 +1,14 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// Numbers of 32 digits, sums of two doubles, [high, low] (T. J. Dekker, "A floating-point technique for extending the available
+/// Numbers of 32 digits as sums of two doubles, [high, low] (T. J. Dekker, "A floating-point technique for extending the available
 /// precision", Numerische Mathematik 18, 1971).
 
 export const exact = value => [value, 0];
 export const ZERO = exact(0);
 export const NO_VECTOR = [ZERO, ZERO, ZERO];
 
-/// With its rounding error; `quick`: |a| >= |b|.
+/// `quick`: |a| >= |b|.
 function quickSum(a, b) {
     const sum = a + b;
     return [sum, b - (sum - a)];
@@ -19,7 +19,7 @@ function wholeSum(a, b) {
     return [sum, (a - (sum - part)) + (b - part)];
 }
 
-/// a double in two parts of 26 bits
+/// Two parts of 26 bits.
 function halves(a) {
     const scaled = 134217729 * a, high = scaled - (scaled - a);
     return [high, a - high];

@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// A focus pull: marked lenses, their film, and its text.
-
 import { copyText, describePull, threePoints } from "./block.js";
 import { MOST_KEYS, pullAt, withKey } from "./pull.js";
 import { WORDS, copy } from "./text.js";
@@ -11,10 +9,6 @@ const SECONDS = 4; // from the first key to the last
 
 const short = value => String(Number(value.toPrecision(4)));
 
-/// @param clock { time(), setTime(time) }
-/// @param kept () -> further items of the scene's block
-/// @param ask sends a message
-/// @param done the keys have changed
 export function buildFilm(find, model, clock, kept, ask, done) {
     const list = find("keys"), said = find("pull-said"), text = find("pull-text");
     let keys = [], before = null, copied = ""; // `before`: restored at the film's end
@@ -74,7 +68,7 @@ export function buildFilm(find, model, clock, kept, ask, done) {
         const part = Math.min(1, (performance.now() - begun) / (1000 * SECONDS)), [first, last] = [keys[0].time, keys.at(-1).time];
         clock.setTime(first + part * (last - first));
         at(clock.time());
-        // the last frame, too, is seen, however few a slow machine draws
+        // the last frame is shown, however slow the machine
         requestAnimationFrame(() => (part < 1 ? step(begun) : before && stop()));
     };
     find("play").onclick = () => {

@@ -1,11 +1,8 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// Programs, textures and framebuffers of WebGL2.
-
 import { EVERYWHERE } from "./shaders.js";
 
-/// @param defines names for its #ifdef
 /// @throws Error it does not compile
 export function newProgram(gl, fragment, defines) {
     const variant = fragment.replace("\n", `\n${defines.map(name => `#define ${name}\n`).join("")}`);
@@ -32,7 +29,6 @@ export function newTexture(gl) {
     return texture;
 }
 
-/// A render target: a texture of 32-bit floats with its framebuffer.
 export function newTarget(gl) {
     const texture = newTexture(gl), framebuffer = gl.createFramebuffer(), target = { texture, framebuffer };
     setSize(gl, target, [1, 1]);
@@ -41,7 +37,6 @@ export function newTarget(gl) {
     return target;
 }
 
-/// Resizes a target; a change discards its contents.
 export function setSize(gl, target, size) {
     if (target.size && target.size[0] === size[0] && target.size[1] === size[1])
         return;

@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The knobs: a slider and a number each.
-
 const log = { to: Math.log, from: Math.exp };
 const plain = { to: x => x, from: x => x };
 
@@ -52,9 +50,6 @@ function element(name, properties, ...children) {
     return made;
 }
 
-/// @param lists { lenses, films } of tilt_lens.inc
-/// @param done a knob is released
-/// @returns show()
 export function buildKnobs(place, model, lists, done) {
     place.replaceChildren();
     const shows = [];
@@ -97,7 +92,7 @@ function choice(group, knob, model, lists, done) {
     };
 }
 
-/// Point or comma; NaN for other texts.
+/// Accepts point and comma; NaN for other texts.
 export function numberIn(written) {
     const plain = written.trim().replace(",", ".");
     return /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(plain) ? Number(plain) : NaN;

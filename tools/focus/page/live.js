@@ -8,27 +8,25 @@ import { inverseDepthOf } from "./blur.js";
 
 const REST = 150;          // milliseconds without a change before the picture is refined
 const ARRIVING = 150;      // milliseconds between pictures while the preview arrives and the processors are busy
-const PREVIEW_REST = 600;  // milliseconds without a change before a preview for a changed frame
-const FAR = 0.02;          // of the frame: a smaller change needs no new preview
+const PREVIEW_REST = 600;  // milliseconds without a change before a new preview
+const FAR = 0.02;          // of the frame; a smaller change needs no new preview
 
 export class Live {
-    /// @param ask sends a message
     /// @param begun the first part of a preview has arrived
     constructor(blur, model, ask, begun) {
         Object.assign(this, { blur, model, ask, begun });
         this.second = null;        // { blur, lens, changed }: the picture of the other lens, if both are shown
-        this.drawn = () => {};     // called after each drawing
+        this.drawn = () => {};
         this.complete = false;     // the preview has a value for each pixel
-        this.refined = false;      // no more tiles of the preview are to come
+        this.refined = false;      // no more tiles are to come
         this.former = null;        // the previous preview of the same scene, while the current one arrives
         this.readAnew = false;     // the scene was parsed again for the arriving preview
-        this.ownView = null;       // the scene's own camera
-        this.number = 0;           // of the preview
+        this.ownView = null;
+        this.number = 0;
         this.lastChange = this.lastDrawing = this.timer = 0;
         this.scheduled = false;
     }
 
-    /// A frame: the scene as parsed before.
     expect({ number, frame, size }) {
         this.complete = this.refined = false;
         this.readAnew ||= !frame;
@@ -71,7 +69,6 @@ export class Live {
         this.readAnew = false;
     }
 
-    /// The requested one, or the scene's own.
     frameOf(asked) {
         if (asked)
             return { ...asked };
@@ -101,13 +98,11 @@ export class Live {
         return 0;
     }
 
-    /// World point of the surface at x, y of the film, or null.
     surfaceAt(x, y) {
         const inverse = this.inverseDepthAt(x, y);
         return inverse > 0 ? pointAt(this.model.lens, x, y, 1 / inverse) : null;
     }
 
-    /// @returns true if the preview can show it
     show() {
         const { blur, model } = this;
         this.lastChange = performance.now();
@@ -120,7 +115,6 @@ export class Live {
         return true;
     }
 
-    /// In a Blur of its own; null: none.
     showBeside(blur, twin) {
         if (!blur || !this.fits) {
             this.second = null;

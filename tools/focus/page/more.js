@@ -1,14 +1,10 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The list of points with their blur, and the f-stop that holds them.
-
 import { numberIn } from "./knobs.js";
 import { FEWEST } from "./model.js";
 import { SHARP } from "./points.js";
 
-/// A blur in words.
-/// @param blur pixels
 export function pixels(blur) {
     const size = Math.abs(blur);
     return size < SHARP ? "sharp" : `${size < 9.995 ? size.toFixed(2) : size.toFixed(size < 99.95 ? 1 : 0)} px`;

@@ -10,26 +10,24 @@ const nameOfOther = { A: "B", B: "A" };
 export class Pair {
     constructor(model) {
         this.model = model;
-        this.beside = false; // whether both pictures are shown
+        this.beside = false;
         this.begin();
     }
 
     begin() {
         this.shown = "A";
-        this.other = null; // { state, past } of the other lens; null until it is first shown
+        this.other = null; // { state, past }; null until the other lens is first shown
     }
 
     get waiting() {
         return nameOfOther[this.shown];
     }
 
-    /// The shown lens, without a last change that no lens fulfils.
     get present() {
         const { error, past, state } = this.model;
         return { state: error && past.length ? JSON.parse(past.at(-1)) : structuredClone(state), past };
     }
 
-    /// A copy of the shown one, unless it exists.
     copy() {
         this.other ??= structuredClone(this.present);
     }
@@ -51,7 +49,6 @@ export class Pair {
         this.model.remembered();
     }
 
-    /// Null unless both pictures are shown.
     get twin() {
         const { model } = this;
         if (!this.beside || model.open || !model.lens)
@@ -67,7 +64,6 @@ export class Pair {
         return (this.other || this.beside) && { shown: this.shown, other: this.other?.state ?? null, beside: this.beside };
     }
 
-    /// Takes the lenses that the address holds, unless the other one cannot be.
     restore({ shown, other, beside }) {
         this.beside = beside === true;
         if (!other || modelOf(other, this.model).error)
@@ -77,7 +73,6 @@ export class Pair {
     }
 }
 
-/// A model with this state, for the camera of another.
 function modelOf(state, { given, place, width }) {
     const made = Object.assign(new Model(), { given, place, width });
     made.restore(state);

@@ -13,7 +13,7 @@ export const movedDirection = (matrix, v) => [0, 1, 2].map(i => v[0] * matrix[0]
 
 export const movedPoint = (matrix, p) => add(movedDirection(matrix, p), matrix[3].slice(0, 3));
 
-/// { normal, distance }; its normal has length 1.
+/// The plane { normal, distance } gets a normal of length 1.
 export function planeBefore(matrix, { normal, distance }) {
     const across = matrix.slice(0, 3).map(row => dot(row.slice(0, 3), normal)), size = length(across);
     return { normal: times(1 / size, across), distance: (distance - dot(normal, matrix[3].slice(0, 3))) / size };

@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The picked points: their plane and blur.
-
 import { along, cross, dot, length, subtract, unit } from "./vector.js";
 import { axesOf, blurOfPoint, greatestBlur, pointAt, project, stopWithoutTilt } from "./lens.js";
 
@@ -11,7 +9,6 @@ export const SHARP = 0.005;
 /// A smaller difference of blur is rounding.
 const BINDS = 1 - 1e-6;
 
-/// Index of the point nearest to another in the picture.
 export function nearestPick({ lens, picks }, point) {
     const at = project(lens, point);
     const far = picks.map(p => {
@@ -21,7 +18,7 @@ export function nearestPick({ lens, picks }, point) {
     return far.indexOf(Math.min(...far));
 }
 
-/// Picked, and derived from the third's choice; null without a plane.
+/// The third point may follow from `third`. Null without a plane.
 export function planePoints({ mode, third, picks, wantedPicks, camera }) {
     if (mode !== "three" || wantedPicks === 1 || picks.length < 2)
         return null;
@@ -43,7 +40,6 @@ export function sharpnessOf({ lens, picks, width, block, camera }) {
     };
 }
 
-/// Over the picture, nearest to its centre first.
 export function visiblePoints(lens) {
     const found = [];
     for (const [x, y] of [[0, 0], [-0.25, -0.25], [0.25, -0.25], [0, 0.3], [0, -0.45], [-0.3, 0.2], [0.3, 0.2]]) {

@@ -1,11 +1,9 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// For tests; the page does not use it.
-
 import { describe } from "./block.js";
 
-/// @param live the live picture, and the other lens's
+/// For tests; the page does not use it.
 export function buildProbe(model, live) {
     const { blur } = live;
     const read = (canvas, [width, height]) => {
@@ -18,7 +16,6 @@ export function buildProbe(model, live) {
         model,
         describe: form => describe(model, form),
 
-        /// Null before the first picture; milliseconds.
         get live() {
             const { frame, pass, work } = blur, { complete, refined } = live, smooth = live.blurs.every(each => !each.unfinished);
             return blur.values && frame ? { size: size(), location: frame.location, complete, refined, passes: pass, smooth, work } : null;
@@ -35,7 +32,6 @@ export function buildProbe(model, live) {
             return blur.drawings;
         },
 
-        /// Sum of the preview's values: colours and 1/distance.
         previewSum: () => blur.values.reduce((a, b) => a + b),
 
         /// Red, green, blue, alpha, upper row first; `show` overrides the settings.
@@ -49,10 +45,8 @@ export function buildProbe(model, live) {
             return pixels;
         },
 
-        /// The pixels of the other lens's picture, at the live picture's size.
         otherPixels: () => read(document.getElementById("other-picture"), size()),
 
-        /// The true picture's pixels, at the live picture's size.
         truePixels: () => read(document.getElementById("truth"), size()),
 
         nextDrawing() {

@@ -13,7 +13,6 @@ export const areKeys = keys => Array.isArray(keys) && keys.length <= MOST_KEYS &
     keys.every(key => Number.isFinite(key?.time) && isSize(key.stop) && areVectors(key.points, 3, 3)) &&
     keys.every((key, i) => i === 0 || key.time > keys[i - 1].time);
 
-/// Replaces one of the same time.
 export const withKey = (keys, key) => [...keys.filter(other => other.time !== key.time), key].sort((a, b) => a.time - b.time);
 
 function focusOf({ points: [a, b, c] }, location) {

@@ -6,7 +6,7 @@
 import { dot } from "./vector.js";
 import { blurPerVergence, frameMap } from "./lens.js";
 
-export const TILE = 16; // side of a tile of the preview, pixels
+export const TILE = 16; // pixels of the preview
 
 export class Reach {
     /// @param values red, green, blue, 1/distance of each pixel
@@ -35,7 +35,6 @@ export class Reach {
     }
 
     /// In vergence.
-    /// @param frame of the preview
     of(lens, frame) {
         const { columns, rows } = this, own = new Float32Array(columns * rows), [ox, oy, fx, fy] = frameMap(lens, frame);
         const far = dot(lens.direction, lens.axis);

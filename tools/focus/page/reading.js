@@ -1,19 +1,16 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The numbers at the pointer, and the loupe.
-
 import { dot, length } from "./vector.js";
 import { blurDiameter, blurPerVergence, chiefRay } from "./lens.js";
 import { pixels } from "./more.js";
 import { SHARP } from "./points.js";
 
 const ABOVE = 24; // screen pixels from the place to the loupe
-const LIMIT = 1; // pixels of blur up to which a thing counts as sharp, as for the tint and the limits of focus
+const LIMIT = 1; // pixels of blur up to which a thing counts as sharp
 
-/// { surface, blur (pixels), near, far } along the chief ray; null without a surface, `near` null where nothing is sharp, `far` may be
+/// { surface, blur (pixels), near, far } along the chief ray. Null without a surface; `near` null where nothing is sharp; `far` may be
 /// Infinity.
-/// @param inverseDepth of the surface
 export function readingAt(lens, x, y, inverseDepth, width) {
     const chief = chiefRay(lens, x, y), size = length(chief), inverse = inverseDepth * dot(lens.direction, lens.axis);
     const w = dot(lens.focus, chief), reach = LIMIT / blurPerVergence(lens, width);
@@ -33,12 +30,10 @@ function inWords({ surface, blur, near, far }) {
     return `${thing} ${near === null ? "No distance here is sharp." : `Sharp here from ${distance(near)} to ${distance(far)}${deep}.`}`;
 }
 
-/// @param at (x, y) of the film -> 1/distance along the axis
 export function buildReading(find, model, blur, at) {
     const picture = find("picture"), loupe = find("loupe"), scale = find("loupe-scale"), said = find("reading");
-    let place = null; // of the pointer, in the film
+    let place = null;
 
-    /// The live picture around the place, one of its pixels on as many of the page's as the scale says.
     const drawLoupe = () => {
         loupe.hidden = !(find("show-loupe").checked && place && blur.values && blur.lens);
         if (loupe.hidden)

@@ -1,13 +1,11 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The remarks of the model that stand beside its knobs.
-
 import { wholeTurnOf } from "./lens.js";
 
 const USUAL_TURN = 15; // degrees; real lenses stop at about 10
 
-/// Limits of the real lens, unusual values: knob -> words.
+/// Limits of the real lens and unusual values: knob -> words.
 export function remarksOf({ real, block, lens, refused }) {
     const said = { ...refused };
     if (!lens)

@@ -4,7 +4,7 @@
 /// Shaders. Pixels count from the picture's upper left corner; "film" is a point of the frame, x and y in [-0.5, 0.5], right and up. See
 /// docs/focus.md for the method.
 ///
-/// Optional parts are compiled in by #ifdef, because graphics processors compute both sides of a branch.
+/// Optional parts are compiled by #ifdef, because graphics processors compute both sides of a branch.
 
 export const EVERYWHERE = `#version 300 es
 void main() {
@@ -12,7 +12,6 @@ void main() {
     gl_Position = vec4(corner, 0.0, 1.0);
 }`;
 
-/// Common to both shaders: the preview (red, green, blue, 1/distance along the axis), the frame, the lens.
 const SCENE = `#version 300 es
 precision highp float;
 precision highp int;
@@ -43,7 +42,7 @@ mat2 spanAt(vec2 film) {
 }
 `;
 
-/// Number of lens points, from which the blur samples: a power of two.
+/// Lens points; a power of two.
 export const LIST = 4096;
 
 export const GATHER = SCENE + `
@@ -61,7 +60,7 @@ out vec4 result;
 const float PI = 3.14159265358979;
 const int LIST = ${LIST};
 
-// a pixel's first index in the list of lens points; every interval of the list is evenly spread
+// first index in the list of lens points, every interval of which is evenly spread
 int startAt(vec2 p) {
     float noise = fract(52.9829189 * fract(dot(p, vec2(0.06711056, 0.00583715))));
     return int(noise * float(LIST)) + pass * taps;
@@ -99,7 +98,7 @@ void main() {
     int start = startAt(pixel);
     float ownRadius = abs(own) * pixelsPerVergence;
 
-    // rays through the lens that meet this surface, or a farther one beside it; nearer surfaces do not block them here, but are added below
+    // rays that meet this surface, or a farther one beside it; nearer surfaces are added below
     vec3 sum = self.rgb;
     float count = 1.0;
     if (ownRadius > 0.5) {
@@ -120,7 +119,7 @@ void main() {
     }
     vec3 colour = sum / count;
 
-    // nearer blurred surfaces whose blur reaches this pixel: each spreads over its image of the diaphragm
+    // nearer blurred surfaces: each spreads over its image of the diaphragm
     float widest = texelFetch(reach, clamp(here / int(tile), ivec2(0), textureSize(reach, 0) - 1), 0).r;
     if (widest * pixelsPerVergence > 1.0) {
         vec4 front = vec4(0.0);
@@ -155,9 +154,9 @@ uniform float gamma;        // of the scene's colours
 uniform float pixelsOfBlur; // diameter per unit of vergence
 uniform vec3 peakingColour; // in the scene's colour space
 uniform vec3 limits[3];     // w of the near limit, the plane of sharp focus, the far limit
-uniform vec3 tints[3];      // their colours, in the scene's colour space
+uniform vec3 tints[3];      // in the scene's colour space
 uniform vec3 gridX[3], gridY[3]; // chief ray (centre, right, up) along the plane's own directions
-uniform vec3 empty;         // colour where there is no picture yet
+uniform vec3 empty;         // where there is no picture yet
 out vec4 result;
 
 vec3 meanAt(vec2 pixel) {

@@ -1,17 +1,17 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The plane k.X = 1 of least greatest blur: the strict Chebyshev solution of k.D = 1/z by exchanging circuits, see
-/// povray-src/tilt_lens/camera/sharp_plane.h. tests/focus compares the two.
+/// The plane k.X = 1 of least greatest blur: the strict Chebyshev solution of k.D = 1/z by exchanging circuits, as in
+/// povray-src/tilt_lens/camera/sharp_plane.h.
 
 import {
     NO_VECTOR, ZERO, acrossBoth, differenceOf, exact, exactVector, isLess, magnitude, minus, negative, plus, product, quotient,
     rounded, scalar, scaled, size, sumOf,
 } from "./exact.js";
 
-/// Remainders below this share of a length are dependent.
+/// Relative to a length: smaller remainders are dependent.
 const DEPENDENT = 1e-12;
-/// Difference of deviations, relative to the greatest vergence, that counts as none.
+/// Relative to the greatest vergence: smaller differences of deviations count as none.
 const SAME = 1e-24;
 
 const isEmpty = row => row.direction === NO_VECTOR;
@@ -23,7 +23,7 @@ class Span {
         this.basis = []; // orthogonal
     }
 
-    /// The part of a row's direction at right angles to the span; NO_VECTOR where it is only rounding.
+    /// At right angles to the span; NO_VECTOR where only rounding is left.
     beside(row) {
         let { direction } = row;
         for (const one of [...this.basis, ...this.basis]) // the second turn removes the rounding of the first
@@ -41,7 +41,6 @@ class Span {
         this.basis.push(one);
     }
 
-    /// Unexplained by the span and k.
     rest(row) {
         return { ...row, direction: this.beside(row), vergence: minus(row.vergence, scalar(this.k, row.direction)) };
     }
@@ -49,7 +48,7 @@ class Span {
 
 const NO_CIRCUIT = { rows: [], weights: [], deviation: ZERO };
 
-/// Independent rows whose span holds `last`, without superfluous ones.
+/// Independent rows whose span holds `last`.
 function circuitOf(rows, independent, last) {
     const found = [], weights = [];
     for (const i of independent) {
@@ -92,7 +91,6 @@ function greatestCircuit(rows, few) {
     return greatest;
 }
 
-/// The other rows take the free part of k.
 function solveBeside(rows, circuit, same) {
     const span = new Span(), { deviation } = circuit;
     circuit.rows.slice(0, -1).forEach((row, i) => span.add(rows[row], circuit.weights[i][0] > 0 ? deviation : negative(deviation)));
@@ -101,8 +99,7 @@ function solveBeside(rows, circuit, same) {
     return { k: sumOf(span.k, solved.k), circuit: { ...solved.circuit, rows: solved.circuit.rows.map(row => indices[row]) } };
 }
 
-/// Until none has a greater deviation.
-/// @param rows none empty
+/// Until no row has a greater deviation. No row may be empty.
 function solveRows(rows, same) {
     let circuit = firstCircuit(rows, rows.map((_, i) => i));
     if (!circuit) {
@@ -121,7 +118,7 @@ function solveRows(rows, same) {
     }
 }
 
-/// A circuit of its own, without effect on k.
+/// Empty rows have a circuit of their own, without effect on k.
 function strictSolution(rows, same) {
     const full = rows.map((_, i) => i).filter(i => !isEmpty(rows[i]));
     let empty = NO_CIRCUIT;
@@ -135,7 +132,6 @@ function strictSolution(rows, same) {
     return { k, circuit: isLess(circuit.deviation, empty.deviation) ? empty : fuller };
 }
 
-/// World coordinates; the unit of z changes no k.
 function rowsOf(points, camera, axis) {
     const across = acrossBoth(exactVector(camera.right), exactVector(camera.up)), side = exact(scalar(across, exactVector(axis))[0] < 0 ? -1 : 1);
     return points.map(point => {
@@ -147,7 +143,6 @@ function rowsOf(points, camera, axis) {
 
 /// Null if the points are on one line of the picture.
 /// @param points world, before the lens
-/// @param axis the film's normal into the scene
 export function planeOfLeastBlur(points, camera, axis) {
     const rows = rowsOf(points, camera, axis), span = new Span();
     for (const row of rows)

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The side view: a section through the lens along the axis and across the hinge line; vertical for a lens that is not turned.
+/// A section through the lens along the axis and across the hinge line; vertical for a lens that is not turned.
 
 import { along, dot, length, unit } from "./vector.js";
 import { axisFocusOf, planeOfBlur } from "./lens.js";
@@ -27,7 +27,6 @@ function leaning(lens) {
     return dot(up, lens.axisUp) < -1e-9 ? [-up[0], -up[1], -up[2]] : up;
 }
 
-/// From behind the film to beyond the focus, with intersections unless too far.
 function windowOf(lens, up, meeting, hinge, surfaces) {
     const focus = axisFocusOf(lens), reach = focus > 0 && Number.isFinite(focus) ? focus : 1 / length(lens.focus);
     const far = Math.max(1.5 * reach, ...surfaces.map(p => Math.min(p[0], 3 * reach)));
@@ -40,7 +39,6 @@ function windowOf(lens, up, meeting, hinge, surfaces) {
     return box;
 }
 
-/// @param surfaces [distance along the axis, along `up`], from surfaceSection
 export function drawSide(svg, lens, surfaces) {
     const up = leaning(lens), k = [dot(lens.focus, lens.axis), dot(lens.focus, up)];
     const t = [dot(lens.normal, lens.axis), dot(lens.normal, up)], s = lens.filmDistance;

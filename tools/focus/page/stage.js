@@ -1,12 +1,12 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The clickable picture: points picked and dragged by mouse, finger or keys; the wipe between live and true picture.
+/// Points picked and dragged by mouse, finger or keys, and the wipe.
 
 import { project } from "./lens.js";
 import { pixels } from "./more.js";
 
-const LABEL = 40; // pixels below a point that its blur needs; where there are fewer, it stands above the point
+const LABEL = 40; // pixels below a point that its blur needs; where there are fewer, it stands above
 const STEP = 1 / 200, LARGE_STEP = 1 / 25; // of the picture, for the arrow keys
 
 const clamp = x => Math.min(0.5, Math.max(-0.5, x));
@@ -16,7 +16,7 @@ export function buildStage(model, on) {
     const picture = document.getElementById("picture"), points = document.getElementById("points");
     const cross = document.getElementById("cross"), truth = document.getElementById("truth"), wipe = document.getElementById("wipe");
     const wipeLine = document.getElementById("wipe-line");
-    const at = [0, 0]; // of the crosshair
+    const at = [0, 0];
 
     const filmOf = event => {
         const box = picture.getBoundingClientRect();
@@ -134,7 +134,6 @@ export function buildStage(model, on) {
                 place(made, [x, y]);
             });
         },
-        /// Shows or hides the true picture over the live one, or over that of the other lens.
         showTruth(shown, over = "cross") {
             document.getElementById(over).before(truth, wipeLine);
             truth.parentElement.after(wipe);

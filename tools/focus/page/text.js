@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// The lens as text: form, copy, write.
-
 import { change, copyText, describe } from "./block.js";
 
 const sentence = words => words.replace(/\.?$/, ".");
@@ -15,7 +13,7 @@ export const WORDS = {
     refused: ({ reason }) => `Not written: ${sentence(reason)} Copy the text and put it in by hand.`,
 };
 
-/// Copies an element's text, or marks it where the browser does not allow that.
+/// Marks the text where the browser does not allow copying.
 /// @returns words for the user
 export async function copy(element) {
     try {
@@ -30,13 +28,10 @@ export async function copy(element) {
     }
 }
 
-/// @param kept () -> further items of the scene's block
-/// @param ask sends a message
 export function buildText(find, model, kept, ask) {
     const block = find("block"), said = find("file-said");
     let chosen = null, copied = "";
 
-    /// Points where the plane follows from them.
     const form = () => chosen ?? (model.block.family === "sharp" ? "points" : "plane");
     const show = () => {
         block.textContent = copyText(describe(model, form()), kept());

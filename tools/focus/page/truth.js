@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// Requests the true picture, and shows it as it grows.
-
 import { describe } from "./block.js";
 import { WORLD } from "./place.js";
 
@@ -19,9 +17,6 @@ const WORDS = {
     failed: ({ file, line, message }) => `${file ? `${file}, line ${line}: ` : ""}${message}`,
 };
 
-/// @param previewSize () -> [width, height]
-/// @param clockOf () -> clock of a scene that uses it
-/// @param ask sends a message
 export function buildTruth(find, stage, pair, previewSize, clockOf, ask) {
     const { model } = pair, canvas = find("truth"), said = find("true-said");
     let number = 0, waiting = [], last = null, other = "", shown = false;
@@ -32,10 +27,8 @@ export function buildTruth(find, stage, pair, previewSize, clockOf, ask) {
     };
     const keyOf = ({ camera: { location, direction, right, up }, block }) => JSON.stringify([location, direction, right, up, block]);
 
-    /// The kind of difference between the picture and the live one: "", "lens" or "time".
     const difference = of => (keyOf(last.lens) !== keyOf(wanted(of)) ? "lens" : (last.lens.clock ?? 0) !== (clockOf() ?? last.lens.clock ?? 0) ? "time" : "");
 
-    /// Shows the picture over that of its lens, or dims one of another lens.
     const show = () => {
         if (!last)
             return;
