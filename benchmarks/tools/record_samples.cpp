@@ -12,9 +12,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "named_settings.h"
 #include "recorded_sample.h"
 #include "tilt_lens/sampling/tile_sampler.h"
-#include "variable_settings.h"
 
 using namespace tilt_lens;
 
@@ -33,7 +33,6 @@ struct Recorder
     std::FILE* file = std::fopen(Environment("TILT_LENS_RECORD").c_str(), "wb");
     const std::uint32_t samples = std::strtoul(Environment("TILT_LENS_RECORD_SAMPLES").c_str(), nullptr, 10);
 
-    Recorder() { Vary(Environment("TILT_LENS_SETTINGS")); }
     ~Recorder()
     {
         if (file != nullptr)
@@ -50,15 +49,18 @@ struct Recorder
 
 } // namespace
 
-// --wrap leads TileSampler::Run here.
-#define RUN _ZN9tilt_lens11TileSampler3RunERKNS_4AreaERKNS_6TracerE
-#define JOIN(a, b) a##b
-#define NAMED(prefix, name) JOIN(prefix, name)
+// These functions take the place of the library's: the linker finds them first.
 
-extern "C" void NAMED(__real_, RUN)(TileSampler* sampler, const Area& tile, const Tracer& trace);
-
-extern "C" void NAMED(__wrap_, RUN)(TileSampler* sampler, const Area& tile, const Tracer& trace)
+Settings tilt_lens::DefaultSettings()
 {
+    return SettingsNamed(Environment("TILT_LENS_SETTINGS"));
+}
+
+/// Records the tile; its pixels stay black.
+void TileSampler::Run(const Area& wanted, const Tracer& trace)
+{
+    tile = wanted;
+    pixels.assign(tile.Size(), PixelResult());
     for (std::uint32_t y = tile.top; y < tile.Bottom(); y++)
         for (std::uint32_t x = tile.left; x < tile.Right(); x++)
             for (std::uint32_t index = 0; index < recorder.samples; index++)
@@ -68,5 +70,11 @@ extern "C" void NAMED(__wrap_, RUN)(TileSampler* sampler, const Area& tile, cons
                 const std::lock_guard<std::mutex> lock(recorder.mutex);
                 recorder.Record({x, y, index}, result);
             }
-    NAMED(__real_, RUN)(sampler, tile, [](const SampleId&, SampleResult& black) { black = Radiance{}; });
+}
+
+SamplingStatistics TileSampler::Statistics() const
+{
+    SamplingStatistics statistics;
+    statistics.pixelsBySamples[recorder.samples] = pixels.size();
+    return statistics;
 }

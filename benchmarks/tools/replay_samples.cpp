@@ -26,9 +26,9 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "named_settings.h"
 #include "recorded_sample.h"
 #include "tilt_lens/sampling/tile_sampler.h"
-#include "variable_settings.h"
 
 namespace
 {
@@ -167,7 +167,7 @@ int main(int count, char** values)
                   [&](std::uint32_t x, std::uint32_t y) { return recording.truth[std::size_t(y) * width + x]; });
         for (std::string line; std::getline(std::cin, line);)
         {
-            Vary(line);
+            limits.settings = SettingsNamed(line);
             for (const bool on : denoise)
                 for (const double variance : variances)
                 {

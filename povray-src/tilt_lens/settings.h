@@ -120,11 +120,8 @@ struct Settings
     /// @}
 };
 
-#ifdef TILT_LENS_VARIABLE_SETTINGS
-extern Settings settings;  // varied by the ablation's programs (benchmarks/tools)
-#else
-constexpr Settings settings;
-#endif
+/// Those of the program. A program that defines this function itself has others (benchmarks/tools/record_samples.cpp).
+Settings DefaultSettings();
 
 }  // namespace tilt_lens
 

@@ -57,7 +57,7 @@ class Summary(unittest.TestCase):
 class Rules(unittest.TestCase):
     def test_name_numbers_of_the_header(self):
         header = ablation.settings_of_header((ROOT / "povray-src/tilt_lens/settings.h").read_text())
-        program = re.findall(r"FIELD\((\w+)\)[,}]", (ROOT / "benchmarks/tools/variable_settings.cpp").read_text())
+        program = re.findall(r"FIELD\((\w+)\)[,}]", (ROOT / "benchmarks/tools/named_settings.cpp").read_text())
         self.assertEqual(sorted(header), sorted(program))
         for rule, _, settings in ablation.RULES + ablation.EMITTER_RULES:
             for item in settings.split(","):

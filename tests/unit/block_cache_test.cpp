@@ -79,7 +79,7 @@ TEST(BlockCache, TakesEachSampleOnceWithManyThreads)
 /// One thread waits; the other must finish all first rounds but one.
 TEST(BlockCache, ThreadsWorkAheadInsteadOfWaiting)
 {
-    const std::uint32_t others = 2 * settings.blockSide;
+    const std::uint32_t others = 2 * Settings::blockSide;
     std::atomic<bool> held{false};
     std::atomic<std::uint32_t> reached{0};
     const Tracer trace([&](const SampleId& id, SampleResult& result)
@@ -94,12 +94,12 @@ TEST(BlockCache, ThreadsWorkAheadInsteadOfWaiting)
         }
         WhiteNoise(id, result);
     });
-    BlockCache cache(DenoisedLimits(), settings.blockSide, 8 * settings.blockSide, {0, 0, settings.blockSide, 8 * settings.blockSide});
-    const auto run = [&](std::uint32_t top) { TileSampler(cache).Run({0, top, settings.blockSide, settings.blockSide}, trace); };
+    BlockCache cache(DenoisedLimits(), Settings::blockSide, 8 * Settings::blockSide, {0, 0, Settings::blockSide, 8 * Settings::blockSide});
+    const auto run = [&](std::uint32_t top) { TileSampler(cache).Run({0, top, Settings::blockSide, Settings::blockSide}, trace); };
     std::future<void> first = std::async(std::launch::async, run, 0u);
     while (!held)
         std::this_thread::yield();
-    run(settings.blockSide);
+    run(Settings::blockSide);
     first.get();
     EXPECT_GE(reached, others);
 }
@@ -116,9 +116,9 @@ TEST(BlockCache, AnotherThreadRetakesAnInterruptedStep)
         }
         WhiteNoise(id, result);
     });
-    BlockCache cache(DenoisedLimits(), 2 * settings.blockSide, settings.blockSide, {0, 0, 2 * settings.blockSide, settings.blockSide});
-    const auto run = [&](std::uint32_t left) { TileSampler(cache).Run({left, 0, settings.blockSide, settings.blockSide}, trace); };
-    std::future<void> first = std::async(std::launch::async, run, 0u), second = std::async(std::launch::async, run, settings.blockSide);
+    BlockCache cache(DenoisedLimits(), 2 * Settings::blockSide, Settings::blockSide, {0, 0, 2 * Settings::blockSide, Settings::blockSide});
+    const auto run = [&](std::uint32_t left) { TileSampler(cache).Run({left, 0, Settings::blockSide, Settings::blockSide}, trace); };
+    std::future<void> first = std::async(std::launch::async, run, 0u), second = std::async(std::launch::async, run, Settings::blockSide);
     int broken = 0;
     for (std::future<void>* one : {&first, &second})
         try

@@ -34,7 +34,7 @@ inline void TakeRound(BlockEstimate& estimate, std::uint32_t until, const Tracer
 
 inline BlockEstimate FirstEstimate(const Area& area, std::uint32_t samples, const Tracer& trace)
 {
-    BlockEstimate estimate(area);
+    BlockEstimate estimate(area, Settings());
     estimate.firstSamples = samples;
     TakeRound(estimate, samples, trace);
     return estimate;
@@ -47,7 +47,7 @@ inline FirstRounds Alone(const FirstRound& round)
     return rounds;
 }
 
-constexpr Area kMiddle{settings.blockSide, settings.blockSide, settings.blockSide, settings.blockSide};
+constexpr Area kMiddle{Settings::blockSide, Settings::blockSide, Settings::blockSide, Settings::blockSide};
 
 } // namespace tilt_lens
 

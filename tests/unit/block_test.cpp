@@ -17,7 +17,8 @@ namespace tilt_lens
 namespace
 {
 
-constexpr std::uint32_t kSide = settings.blockSide;
+constexpr std::uint32_t kSide = Settings::blockSide;
+constexpr std::uint32_t kMost = 8;  // samples of a pixel that serve others
 
 const LensFootprint& Footprint()
 {
@@ -83,7 +84,7 @@ TEST(Block, TakesEachStepOnce)
 {
     const Area area{0, 0, kSide, kSide};
     const SamplingLimits limits = Denoised(1e-3);
-    Block block(area, kSide, kSide);
+    Block block(area, kSide, kSide, Settings());
     Block::Neighbours neighbours{};
     neighbours[4] = &block;
     for (int step = 0; step < Block::kSteps; step++)
@@ -99,7 +100,7 @@ TEST(Block, TakesEachStepOnce)
 TEST(SentSamples, EachPixelHasTheSameTotalWeight)
 {
     const Area area{0, 0, kSide, kSide};
-    SentSamples few(area, 2 * kSide, kSide), many(area, 2 * kSide, kSide);
+    SentSamples few(area, 2 * kSide, kSide, kMost), many(area, 2 * kSide, kSide, kMost);
     std::vector<std::uint32_t> samples(kSide * kSide, 4), more = samples;
     more[0] = 16;
     for (std::uint32_t pixel = 0; pixel < kSide * kSide; pixel++)
@@ -123,10 +124,10 @@ TEST(SentSamples, EachPixelHasTheSameTotalWeight)
 TEST(SentSamples, SharpAndExcessSamplesServeTheirOwnPixelAlone)
 {
     const Area area{0, 0, kSide, kSide};
-    SentSamples sent(area, 2 * kSide, kSide);
-    const std::vector<std::uint32_t> samples(kSide * kSide, 2 * settings.mostSentSamples);
+    SentSamples sent(area, 2 * kSide, kSide, kMost);
+    const std::vector<std::uint32_t> samples(kSide * kSide, 2 * kMost);
     sent.Add({3, 3, 0}, Blurred({3, 3, 0}, 1.0, 0.1f));
-    sent.Add({3, 3, settings.mostSentSamples}, Blurred({3, 3, 0}, 1.0, 3.0f));
+    sent.Add({3, 3, kMost}, Blurred({3, 3, 0}, 1.0, 3.0f));
     EXPECT_EQ(sent.Spread(samples, 4), nullptr);
     sent.Add({3, 3, 1}, Blurred({3, 3, 0}, 1.0, 3.0f));
     const auto spread = sent.Spread(samples, 4);
@@ -135,7 +136,7 @@ TEST(SentSamples, SharpAndExcessSamplesServeTheirOwnPixelAlone)
     EXPECT_NEAR(spread->OwnShare(4, 3), 4.0f, 1e-5);
     const float share = *spread->From(SpreadSums::kShare, 4, 3);
     EXPECT_GT(share, 0.0f);
-    EXPECT_LT(share, 4.0f / settings.mostSentSamples);
+    EXPECT_LT(share, 4.0f / kMost);
     EXPECT_FLOAT_EQ(*spread->From(SpreadSums::kSquaredShares, 4, 3), share * share);
 }
 

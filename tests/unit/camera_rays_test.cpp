@@ -24,7 +24,7 @@ std::vector<SampleRun> Runs(std::uint32_t x, std::uint32_t y)
     std::vector<SampleRun> runs;
     for (const std::uint32_t group : {0u, 8u, 24u, 4096u, 4294967288u})
         for (const std::uint32_t place : {0u, 1u, 2u, 3u, 4u, 6u})
-            for (std::uint32_t count = 1; place + count <= settings.cameraRaysOfBatch; count++)
+            for (std::uint32_t count = 1; place + count <= Settings::cameraRaysOfBatch; count++)
                 runs.push_back({{x, y, group + place}, count});
     return runs;
 }
@@ -173,10 +173,10 @@ TEST(CameraRays, AreChiefRaysWhereThereIsNoDirection)
     lens.focusMiddle = 1.0;
     lens.focusRight = lens.focusUp = 0.0;
     CameraRays rays{};
-    for (std::uint32_t i = 0; i < settings.cameraRaysOfBatch; i++)
+    for (std::uint32_t i = 0; i < Settings::cameraRaysOfBatch; i++)
         rays.samples.Put(i, {0.1, 0.2, {i % 2 ? 1.0 : 0.5, 0.0}, 1.0, 0.0});
-    FindRays(lens, {{0, 0, 0}, settings.cameraRaysOfBatch}, rays);
-    for (std::uint32_t i = 0; i < settings.cameraRaysOfBatch; i++)
+    FindRays(lens, {{0, 0, 0}, Settings::cameraRaysOfBatch}, rays);
+    for (std::uint32_t i = 0; i < Settings::cameraRaysOfBatch; i++)
     {
         EXPECT_EQ(rays.direction[0][i], 1.0);
         EXPECT_EQ(rays.length[i], i % 2 ? 0.25 : 0.125);

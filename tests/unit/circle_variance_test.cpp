@@ -17,14 +17,14 @@ namespace tilt_lens
 namespace
 {
 
-constexpr int kSide = int(settings.blockSide);
+constexpr int kSide = int(Settings::blockSide);
 constexpr double kLamp = 10.0;
 
 /// Blocks with four samples a pixel, of which one in `every` has hit a red lamp.
 std::shared_ptr<const PaddedSpread> LampHitByOneIn(std::uint32_t every)
 {
     static const LensFootprint lens(Lens(), Aperture::Disc(), 3.0 * kSide, 3.0 * kSide);
-    const auto sums = std::make_unique<SpreadSums>(Area{settings.blockSide, settings.blockSide, settings.blockSide, settings.blockSide},
+    const auto sums = std::make_unique<SpreadSums>(Area{Settings::blockSide, Settings::blockSide, Settings::blockSide, Settings::blockSide},
                                                    3.0 * kSide, 3.0 * kSide);
     for (std::uint32_t i = 0; i < 4 * kSide * kSide; i++)
     {

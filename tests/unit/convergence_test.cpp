@@ -109,7 +109,7 @@ void LoneHit(const SampleId& id, SampleResult& result)
 
 TEST(FirstRound, LoneVarianceCountsIsolatedPixelsOnly)
 {
-    const double inside = Square(settings.blockSide - 2.0);
+    const double inside = Square(Settings::blockSide - 2.0);
     EXPECT_NEAR(FirstRound(FirstEstimate(kMiddle, 8, LoneHit)).loneVariance, 1.0 / 8.0 / inside, 1e-9);
     const auto edge = [](const SampleId& id, SampleResult& result) { result = Grey(id.x == kMiddle.left + 8 && id.index % 2 ? 1.0 : 0.0); };
     EXPECT_EQ(FirstRound(FirstEstimate(kMiddle, 8, edge)).loneVariance, 0.0);
@@ -123,20 +123,20 @@ TEST(UpdateConvergence, FollowsAnEdgeThatAllMissedAtFirst)
     { result = Grey(id.x == kMiddle.left + 5 && id.index >= 8 && id.index % 2 == 0 ? 1.0 : 0.0); };
     Prepared block(Limits(8, 1024, 1e-4), late);
     ASSERT_FALSE(block.Update(8));
-    for (std::uint32_t y = 0; y < settings.blockSide; y++)
-        block.estimate.pixels[y * settings.blockSide + 5].active = true;
+    for (std::uint32_t y = 0; y < Settings::blockSide; y++)
+        block.estimate.pixels[y * Settings::blockSide + 5].active = true;
     TakeRound(block.estimate, 16, late);
     block.Update(16);
     for (std::size_t i = 0; i < block.estimate.pixels.size(); i++)
     {
-        const std::size_t column = i % settings.blockSide;
+        const std::size_t column = i % Settings::blockSide;
         EXPECT_EQ(block.estimate.pixels[i].active, column >= 4 && column <= 6) << i;
     }
 }
 
 TEST(UpdateConvergence, AHitOfOnePixelKeepsTheBlockActive)
 {
-    const double lone = 1.0 / 8.0 / Square(settings.blockSide - 2.0);
+    const double lone = 1.0 / 8.0 / Square(Settings::blockSide - 2.0);
     Prepared often(Limits(8, 1024, 0.1 * lone / 8.0), LoneHit), seldom(Limits(8, 1024, 10.0 * lone / 8.0), LoneHit);
     often.Update(8);
     seldom.Update(8);
@@ -162,10 +162,10 @@ PixelStatistics Equal(std::uint32_t samples, double value, double expectedEmissi
 
 TEST(HasSearchedEmitters, IsTrueOnceTheirErrorIsBelowTheTarget)
 {
-    EXPECT_TRUE(HasSearchedEmitters(Equal(4, 0.5), 1e-9)) << "no emitter samples";
-    EXPECT_FALSE(HasSearchedEmitters(Equal(4, 0.5, 1.0), 1e-3));
-    EXPECT_TRUE(HasSearchedEmitters(Equal(4, 0.5, 0.01), 1e-3)) << "too dim to matter";
-    EXPECT_TRUE(HasSearchedEmitters(Equal(settings.hiddenEmitterSamples, 0.5, 100.0), 1e-9)) << "believed hidden";
+    EXPECT_TRUE(HasSearchedEmitters(Equal(4, 0.5), 1e-9, 16)) << "no emitter samples";
+    EXPECT_FALSE(HasSearchedEmitters(Equal(4, 0.5, 1.0), 1e-3, 16));
+    EXPECT_TRUE(HasSearchedEmitters(Equal(4, 0.5, 0.01), 1e-3, 16)) << "too dim to matter";
+    EXPECT_TRUE(HasSearchedEmitters(Equal(16, 0.5, 100.0), 1e-9, 16)) << "believed hidden";
 }
 
 TEST(Neighbourhood, AveragesFirstRoundsOverTheirPixels)
@@ -215,7 +215,7 @@ std::size_t ActiveAfterFirstRound(double variance, bool denoise, const Tracer& t
 TEST(UpdateConvergence, TheReconstructionSavesRaysOfNoiseButNoneOfALoneHit)
 {
     const auto noise = [](const SampleId& id, SampleResult& result) { result = Grey(0.7 + 0.2 * (Noise(id, 1) - 0.5)); };
-    const double ofNoise = 0.04 / 12.0 / 8.0, ofLoneHit = 1.0 / 8.0 / Square(settings.blockSide - 2.0) / 8.0;
+    const double ofNoise = 0.04 / 12.0 / 8.0, ofLoneHit = 1.0 / 8.0 / Square(Settings::blockSide - 2.0) / 8.0;
     EXPECT_EQ(ActiveAfterFirstRound(0.5 * ofNoise, false, noise), kMiddle.Size());
     EXPECT_LT(ActiveAfterFirstRound(0.5 * ofNoise, true, noise), kMiddle.Size() / 4);
     EXPECT_EQ(ActiveAfterFirstRound(0.1 * ofLoneHit, true, LoneHit), kMiddle.Size());

@@ -124,11 +124,11 @@ TEST(FlatMirror, ComputingIsBounded)
     const std::vector<FlatMirror> two = {wall, facing};
     const Emitter lamp{{0.0, 0.0, 1.0}, 0.1, 8.0};
     EXPECT_EQ(ImagesOf(lamp, two).size(), 4u);
-    const std::vector<Emitter> many(settings.greatestImages / 4 + 1, lamp);
+    const std::vector<Emitter> many(Settings::greatestImages / 4 + 1, lamp);
     EXPECT_EQ(MirrorImages(many, two, 0.4).size(), 2 * many.size());
     std::vector<FlatMirror> small(100, {{-1.0, -1.0, -5.0}, {{2.0, 0.0, 0.0}, {0.0, 2.0, 0.0}}, false, 1.0});
     small.push_back(wall);
-    const std::vector<Emitter> most(settings.greatestImages / 2, lamp);
+    const std::vector<Emitter> most(Settings::greatestImages / 2, lamp);
     for (const Emitter& image : MirrorImages(most, small, 0.4))
         ASSERT_TRUE(image.centre.z == 9.0 || image.centre.z == -11.0) << "the largest mirror is kept";
 }

@@ -29,8 +29,8 @@ Quadrants RatiosOf(const Tracer& trace, std::uint32_t rounds)
             TakeRound(estimate, samples, trace);
         UpdateVarianceRatios(estimate, samples);
     }
-    return {estimate.pixels[0].varianceRatio, estimate.pixels[settings.blockSide - 1].varianceRatio,
-            estimate.pixels[settings.blockSide * (settings.blockSide - 1)].varianceRatio, estimate.pixels.back().varianceRatio};
+    return {estimate.pixels[0].varianceRatio, estimate.pixels[Settings::blockSide - 1].varianceRatio,
+            estimate.pixels[Settings::blockSide * (Settings::blockSide - 1)].varianceRatio, estimate.pixels.back().varianceRatio};
 }
 
 TEST(VarianceRatio, IsAboutOneForIndependentSamples)
@@ -67,7 +67,7 @@ TEST(VarianceRatio, FallsWithTheNumberOfStratifiedSamples)
 TEST(VarianceRatio, IsEstimatedForEachQuadrant)
 {
     const Quadrants ratios = RatiosOf([](const SampleId& id, SampleResult& result)
-    { (id.x < kMiddle.left + settings.blockSide / 2 ? Ramp : WhiteNoise)(id, result); }, 3);
+    { (id.x < kMiddle.left + Settings::blockSide / 2 ? Ramp : WhiteNoise)(id, result); }, 3);
     EXPECT_LT(ratios[0], 0.2);
     EXPECT_GT(ratios[1], 0.6);
     EXPECT_LT(ratios[2], 0.2);
@@ -87,14 +87,14 @@ TEST(VarianceRatio, ConvergedPixelsKeepTheirsAndDoNotContribute)
 
 TEST(VarianceRatio, IsShrunkTowardsThePriorForFewNoisyPixels)
 {
-    const double prior = settings.varianceRatioPrior;
+    const double prior = Settings().varianceRatioPrior;
     VarianceRatioTerms one;
     one.dualBuffer = 0.0, one.independent = 1.0, one.squaredIndependent = 1.0;
-    EXPECT_NEAR(one.Ratio(0.9), 0.9 * prior / (1.0 + prior), 1e-15);
+    EXPECT_NEAR(one.Ratio(0.9, prior), 0.9 * prior / (1.0 + prior), 1e-15);
     VarianceRatioTerms many;
     many.dualBuffer = 0.0, many.independent = 25.0, many.squaredIndependent = 25.0;
-    EXPECT_NEAR(many.Ratio(0.9), 0.9 * prior / (25.0 + prior), 1e-15);
-    EXPECT_EQ(VarianceRatioTerms().Ratio(0.9), 0.9) << "no noise at all";
+    EXPECT_NEAR(many.Ratio(0.9, prior), 0.9 * prior / (25.0 + prior), 1e-15);
+    EXPECT_EQ(VarianceRatioTerms().Ratio(0.9, prior), 0.9) << "no noise at all";
 }
 
 TEST(VarianceRatio, RatioOfMeanSolvesBothEquations)
@@ -120,7 +120,7 @@ TEST(RatiosOrOutliers, AnOutlierKeepsItsOwn)
     const std::vector<double> ratios = RatiosOrOutliers(estimate);
     for (std::size_t i = 0; i < ratios.size(); i++)
     {
-        if (i == 9 * settings.blockSide + 7)
+        if (i == 9 * Settings::blockSide + 7)
             EXPECT_EQ(ratios[i], 1.0);
         else
             EXPECT_LT(ratios[i], 0.25) << i;

@@ -96,7 +96,7 @@ TEST(ProgressEstimator, ProbesAPixelOfEachRenderedBlock)
     while (const std::optional<ProgressEstimator::Probe> probe = map.NextProbe())
     {
         EXPECT_TRUE(part.Has(probe->x, probe->y)) << probe->x << ", " << probe->y;
-        blocks.insert({(probe->x - 100) / settings.blockSide, (probe->y - 7) / settings.blockSide});
+        blocks.insert({(probe->x - 100) / Settings::blockSide, (probe->y - 7) / Settings::blockSide});
     }
     EXPECT_EQ(blocks.size(), 3u * 4u);
 }

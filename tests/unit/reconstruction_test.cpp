@@ -16,7 +16,7 @@ namespace tilt_lens
 namespace
 {
 
-constexpr int kSide = int(settings.blockSide);
+constexpr int kSide = int(Settings::blockSide);
 
 struct Pixel
 {
@@ -64,7 +64,7 @@ Errors ErrorsOf(const std::function<double(int, int)>& truth, double variance)
     for (int picture = 0; picture < 200; picture++)
     {
         const PaddedBlock around = Make([&](int x, int y) { return Noisy(truth(x, y), variance, random); });
-        const ReconstructedBlock rebuilt = Reconstruct(around);
+        const ReconstructedBlock rebuilt = Reconstruct(around, Settings());
         for (int y = 0; y < kSide; y++)
             for (int x = 0; x < kSide; x++)
             {
@@ -82,7 +82,7 @@ TEST(Reconstruction, LeavesPixelsWithoutNoiseAlone)
     std::mt19937 random(3);
     const auto picture = [&](int x, int y) { return Noisy(0.01 * x * x + 0.1 * y, 0.0, random); };
     const PaddedBlock around = Make(picture);
-    const ReconstructedBlock rebuilt = Reconstruct(around);
+    const ReconstructedBlock rebuilt = Reconstruct(around, Settings());
     for (int y = 0; y < kSide; y++)
         for (int x = 0; x < kSide; x++)
             EXPECT_NEAR(rebuilt.mean[0][y * kSide + x], picture(x, y).mean[0], 1e-6);
@@ -198,7 +198,7 @@ TEST(Reconstruction, LampsLeaveDarkPixelsBesideThemUnharmed)
                 const bool lit = x >= 3 && x < 5 && y >= 2 && y < 5;
                 return lit ? Noisy(lamp, 0.01 * lamp * lamp, random) : Noisy(dark, 1e-3 * dark, random);
             });
-            const ReconstructedBlock rebuilt = Reconstruct(around);
+            const ReconstructedBlock rebuilt = Reconstruct(around, Settings());
             for (int y = 0; y < kSide; y++)
                 for (int x = 0; x < kSide; x++)
                 {
@@ -218,7 +218,7 @@ TEST(Reconstruction, TransparencyIsFilteredWithTheColours)
         e.mean[4] = x < 4 ? 1.0f : 0.0f;
         return e;
     });
-    const ReconstructedBlock rebuilt = Reconstruct(around);
+    const ReconstructedBlock rebuilt = Reconstruct(around, Settings());
     for (int y = 0; y < kSide; y++)
         for (int x = 0; x < kSide; x++)
             EXPECT_NEAR(rebuilt.mean[4][y * kSide + x], x < 4 ? 1.0 : 0.0, 0.05 * std::sqrt(0.5e-3));
@@ -238,7 +238,7 @@ TEST(Reconstruction, KeepsColoursAndTransparencyInRange)
             pixel.mean[4] = std::min(1.0, 0.25 * std::max(0, y + 1));
             return pixel;
         });
-        const ReconstructedBlock rebuilt = Reconstruct(around);
+        const ReconstructedBlock rebuilt = Reconstruct(around, Settings());
         for (int i = 0; i < kSide * kSide; i++)
         {
             EXPECT_GE(rebuilt.mean[0][i], 0.0f) << i;
@@ -255,10 +255,8 @@ TEST(Reconstruction, ReportsMoreVarianceBesideAnEdge)
     std::mt19937 random(9);
     const auto leftAt = [&](int x, double step)
     {
-        return Reconstruct(Make([&](int column, int)
-        {
-            return Noisy(column < 8 ? 0.2 : 0.2 + step, 1e-4, random);
-        })).residualVarianceRatio[8 * kSide + x];
+        return Reconstruct(Make([&](int column, int) { return Noisy(column < 8 ? 0.2 : 0.2 + step, 1e-4, random); }), Settings())
+            .residualVarianceRatio[8 * kSide + x];
     };
     const float even = leftAt(8, 0.0);
     EXPECT_LT(even, 0.2f);
@@ -280,8 +278,8 @@ TEST(Reconstruction, AcceptsAnyBrightness)
             }
             return e;
         });
-        const ReconstructedBlock rebuilt = Reconstruct(around);
-        for (int i = 0; i < int(settings.blockSide * settings.blockSide); i++)
+        const ReconstructedBlock rebuilt = Reconstruct(around, Settings());
+        for (int i = 0; i < int(Settings::blockSide * Settings::blockSide); i++)
         {
             EXPECT_GT(rebuilt.residualVarianceRatio[i], 0.0f) << bright << ", pixel " << i;
             EXPECT_LE(rebuilt.residualVarianceRatio[i], 1.0f) << bright << ", pixel " << i;

@@ -67,8 +67,8 @@ Statement StatementOfGlass()
 std::vector<SampleResult> FirstGroup(const SampledCamera& camera, Wall& wall, std::uint32_t x, std::uint32_t y, bool aims = true)
 {
     SampleTracer tracer(camera, wall, aims);
-    std::vector<SampleResult> results(settings.cameraRaysOfBatch);
-    tracer.Trace({{x, y, 0}, settings.cameraRaysOfBatch}, results.data());
+    std::vector<SampleResult> results(Settings::cameraRaysOfBatch);
+    tracer.Trace({{x, y, 0}, Settings::cameraRaysOfBatch}, results.data());
     return results;
 }
 
@@ -82,7 +82,7 @@ TEST(SampleTracer, AsksOnceForARunOfPlainSamples)
         EXPECT_EQ(result.expectedEmission, 0.0);
     }
     ASSERT_EQ(wall.asked.size(), 1u);
-    EXPECT_EQ(wall.asked[0].count, settings.cameraRaysOfBatch);
+    EXPECT_EQ(wall.asked[0].count, Settings::cameraRaysOfBatch);
     EXPECT_EQ(wall.asked[0].index, 0u);
     EXPECT_TRUE(wall.asked[0].distances);
 }
@@ -113,10 +113,10 @@ TEST(SampleTracer, WeighsSamplesAimedAtEmitters)
     for (const SampleResult& result : FirstGroup(camera, wall, 32, 24))
     {
         aimed += result.expectedEmission > 0.0;
-        mean += result.radiance[0] / settings.cameraRaysOfBatch;
+        mean += result.radiance[0] / Settings::cameraRaysOfBatch;
         EXPECT_EQ(result.radiance[2], 3.0 * result.radiance[0]);
     }
-    EXPECT_EQ(aimed, int(settings.cameraRaysOfBatch / 2));
+    EXPECT_EQ(aimed, int(Settings::cameraRaysOfBatch / 2));
     EXPECT_NE(mean, 1.0);
     for (const SampleResult& result : FirstGroup(camera, wall, 32, 24, false))
         EXPECT_EQ(result.radiance[0], 1.0) << "plain samples alone";
@@ -132,15 +132,15 @@ TEST(SampleTracer, DoesNotAskForBlockedRays)
     int blocked = 0;
     for (std::uint32_t y = 0; y < kHeight; y++)
     {
-        SampleResult results[settings.cameraRaysOfBatch];
-        tracer.Trace({{0, y, 0}, settings.cameraRaysOfBatch}, results);
+        SampleResult results[Settings::cameraRaysOfBatch];
+        tracer.Trace({{0, y, 0}, Settings::cameraRaysOfBatch}, results);
         for (const SampleResult& result : results)
             blocked += result.radiance == Radiance{};
     }
     std::uint32_t traced = 0;
     for (const RayRange& range : wall.asked)
         traced += range.count;
-    EXPECT_EQ(traced + blocked, kHeight * settings.cameraRaysOfBatch);
+    EXPECT_EQ(traced + blocked, kHeight * Settings::cameraRaysOfBatch);
     EXPECT_GT(blocked, 0);
     EXPECT_GT(traced, 0u);
     EXPECT_GT(tracer.refusedRays, 0u);
@@ -159,7 +159,7 @@ TEST(SampleTracer, MixesASampleOfThreeColours)
             EXPECT_NEAR(result.radiance[channel], (Radiance{1.0, 2.0, 3.0, 0.5, 0.25}[channel]), 1e-12);
         EXPECT_EQ(result.circle.lens, nullptr);
     }
-    ASSERT_EQ(wall.asked.size(), 3 * settings.cameraRaysOfBatch);
+    ASSERT_EQ(wall.asked.size(), 3 * Settings::cameraRaysOfBatch);
     for (std::uint32_t i = 0; i < wall.asked.size(); i++)
     {
         EXPECT_EQ(wall.asked[i].count, 1u);
@@ -177,9 +177,9 @@ TEST(SampledCamera, SpreadsSamplesOnlyWhereTheirCirclesAreKnown)
 
 TEST(SampledCamera, TakesMoreFirstSamplesWhereNoneCanBeAimed)
 {
-    EXPECT_EQ(CameraWith(StatementWith()).limits.min, settings.firstSamples);
-    EXPECT_EQ(CameraWith(StatementWith(), false).limits.min, settings.firstSamplesAlone);
-    EXPECT_EQ(CameraWith(StatementWith(), true, true).limits.min, settings.firstSamplesAlone);
+    EXPECT_EQ(CameraWith(StatementWith()).limits.min, Settings::firstSamples);
+    EXPECT_EQ(CameraWith(StatementWith(), false).limits.min, Settings::firstSamplesAlone);
+    EXPECT_EQ(CameraWith(StatementWith(), true, true).limits.min, Settings::firstSamplesAlone);
     EXPECT_TRUE(CameraWith(StatementWith(), true, true, {{{0.0, 0.0, 40.0}, 0.03, 40.0}}).emitters.Empty());
 }
 

@@ -374,8 +374,8 @@ TEST(PixelSampler, GroupsContainThePointsOfTheirIndices)
             const PixelSampler sampler(p.x, p.y, p.seed);
             SequencePoints group;
             sampler.FindGroup(index, group);
-            const std::uint32_t first = index - index % settings.cameraRaysOfBatch;
-            for (std::uint32_t i = 0; i < settings.cameraRaysOfBatch; i++)
+            const std::uint32_t first = index - index % Settings::cameraRaysOfBatch;
+            for (std::uint32_t i = 0; i < Settings::cameraRaysOfBatch; i++)
                 EXPECT_EQ(AsPoint(group[i]), AsPoint(sampler(first + i))) << p << ", " << first + i;
         }
 }

@@ -24,8 +24,8 @@ namespace tilt_lens
 namespace
 {
 
-constexpr int kSide = int(settings.blockSide), kReach = SpreadSums::kReach;
-constexpr Area kBlock{10 * settings.blockSide, 10 * settings.blockSide, settings.blockSide, settings.blockSide};
+constexpr int kSide = int(Settings::blockSide), kReach = SpreadSums::kReach;
+constexpr Area kBlock{10 * Settings::blockSide, 10 * Settings::blockSide, Settings::blockSide, Settings::blockSide};
 constexpr double kWidth = 640.0, kHeight = 480.0;
 
 Vec3 ChiefThrough(const Lens& lens, const Vec3& point)
@@ -234,7 +234,7 @@ double MeanSquareDistanceOf(int pixelX, int pixelY, float radius)
     for (int i = 0; i < 9; i++)
     {
         const int left = i % 3 * kSide, top = i / 3 * kSide;
-        SpreadSums sums({std::uint32_t(left), std::uint32_t(top), settings.blockSide, settings.blockSide}, 3.0 * kSide, 3.0 * kSide);
+        SpreadSums sums({std::uint32_t(left), std::uint32_t(top), Settings::blockSide, Settings::blockSide}, 3.0 * kSide, 3.0 * kSide);
         for (int pixel = 0; pixel < kSide * kSide; pixel++)
             for (std::uint32_t sample = 0; sample < 64; sample++)
             {
@@ -384,7 +384,7 @@ TEST(Reconstruction, SpreadSamplesRemoveMoreNoiseThanFilters)
             known[i] = &statistics[i];
         }
         const PaddedBlock around(known);
-        const ReconstructedBlock plain = Reconstruct(around), spread = Reconstruct(around, received.get());
+        const ReconstructedBlock plain = Reconstruct(around, Settings()), spread = Reconstruct(around, Settings(), received.get());
         for (float value : plain.mean[0])
             without += Square(value - 0.5);
         for (float value : spread.mean[0])

@@ -80,7 +80,7 @@ inline std::vector<Result> ResultsOf(const SamplingLimits& limits, const Area& t
 
 inline std::vector<Result> ResultsOf(const SamplingLimits& limits, std::uint32_t left, std::uint32_t top, const Tracer& trace)
 {
-    return ResultsOf(limits, {left, top, settings.blockSide, settings.blockSide}, 4096, 4096, trace);
+    return ResultsOf(limits, {left, top, Settings::blockSide, Settings::blockSide}, 4096, 4096, trace);
 }
 
 inline SamplingLimits Limits(std::uint32_t min, std::uint32_t max, double variance, double confidence = 0.9)

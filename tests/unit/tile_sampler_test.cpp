@@ -25,7 +25,7 @@ namespace
 TEST(TileSamplerLimits, ConstantLightTakesTheMinimum)
 {
     for (const std::uint32_t min : {2u, 8u, 64u})
-        for (const Result& r : ResultsOf(Limits(min, 1024, 1e-4), 2 * settings.blockSide, settings.blockSide, Constant))
+        for (const Result& r : ResultsOf(Limits(min, 1024, 1e-4), 2 * Settings::blockSide, Settings::blockSide, Constant))
         {
             EXPECT_EQ(r.samples, min);
             EXPECT_NEAR(r.mean[0], 0.7, 1e-15);
@@ -46,19 +46,19 @@ TEST(TileSamplerLimits, SamplesStayWithinMinimumAndMaximum)
     for (const auto& c : cases)
         for (const Tracer& trace : {Tracer(Constant), Tracer(WhiteNoise), Tracer(Edge)})
             for (const double variance : {1e-9, 1e-4, 1.0})
-                for (const Result& r : ResultsOf(Limits(c[0], c[1], variance), settings.blockSide, settings.blockSide, trace))
+                for (const Result& r : ResultsOf(Limits(c[0], c[1], variance), Settings::blockSide, Settings::blockSide, trace))
                 {
                     ASSERT_GE(r.samples, c[0]) << "of " << c[0] << ", " << c[1];
                     ASSERT_LE(r.samples, c[1]) << "of " << c[0] << ", " << c[1];
                     ASSERT_TRUE(std::isfinite(r.mean[0]) && r.variance >= 0.0);
                 }
-    for (const Result& r : ResultsOf(Limits(3, 1000, 1e-9), settings.blockSide, settings.blockSide, WhiteNoise))
+    for (const Result& r : ResultsOf(Limits(3, 1000, 1e-9), Settings::blockSide, Settings::blockSide, WhiteNoise))
         EXPECT_EQ(r.samples, 1000u);
 }
 
 TEST(TileSamplerLimits, EverySampleIsTracedOnceAndCounted)
 {
-    const Area tile{2 * settings.blockSide, settings.blockSide, 2 * settings.blockSide, settings.blockSide};
+    const Area tile{2 * Settings::blockSide, Settings::blockSide, 2 * Settings::blockSide, Settings::blockSide};
     std::set<std::vector<std::uint32_t>> seen;
     std::uint64_t calls = 0, inside = 0;
     const auto trace = [&](const SampleId& id, SampleResult& light)
@@ -71,7 +71,7 @@ TEST(TileSamplerLimits, EverySampleIsTracedOnceAndCounted)
         EXPECT_TRUE(same.lensU == s.lensU && same.lensV == s.lensV && same.pixelX == s.pixelX && same.pixelY == s.pixelY);
         Edge(id, light);
     };
-    BlockCache store(Limits(6, 300, 1e-4), 8 * settings.blockSide, 8 * settings.blockSide, tile);
+    BlockCache store(Limits(6, 300, 1e-4), 8 * Settings::blockSide, 8 * Settings::blockSide, tile);
     TileSampler sampler(store);
     std::uint64_t counted = 0;
     double variance = 0.0;
@@ -82,9 +82,9 @@ TEST(TileSamplerLimits, EverySampleIsTracedOnceAndCounted)
     }
     EXPECT_EQ(inside, counted);
     EXPECT_EQ(seen.size(), calls) << "a sample was traced twice";
-    EXPECT_EQ(calls - inside, 8u * (10 * settings.blockSide * settings.blockSide)) << "first samples of the blocks around the tile";
+    EXPECT_EQ(calls - inside, 8u * (10 * Settings::blockSide * Settings::blockSide)) << "first samples of the blocks around the tile";
     EXPECT_EQ(sampler.Statistics().Samples(), counted);
-    EXPECT_EQ(sampler.Statistics().Pixels(), 2u * settings.blockSide * settings.blockSide);
+    EXPECT_EQ(sampler.Statistics().Pixels(), 2u * Settings::blockSide * Settings::blockSide);
     EXPECT_EQ(sampler.Statistics().notFinite, 0u);
     EXPECT_DOUBLE_EQ(sampler.Statistics().variance, variance);
 }
@@ -226,10 +226,10 @@ TEST(TileSamplerStop, EqualSamplesBesideAnEdgeAreNotTrusted)
     int stopped = 0;
     for (std::uint32_t block = 0; block < 25; block++)
     {
-        const auto results = ResultsOf(Limits(8, 4096, 1e-4), block * settings.blockSide, 0, trace);
-        for (std::uint32_t y = 0; y < settings.blockSide; y++)
+        const auto results = ResultsOf(Limits(8, 4096, 1e-4), block * Settings::blockSide, 0, trace);
+        for (std::uint32_t y = 0; y < Settings::blockSide; y++)
             for (const std::uint32_t x : {3u, 5u})
-                stopped += results[y * settings.blockSide + x].samples <= 8;
+                stopped += results[y * Settings::blockSide + x].samples <= 8;
     }
     EXPECT_EQ(stopped, 0);
 }
@@ -243,9 +243,9 @@ TEST(TileSamplerReconstruction, NoiseFarBelowTheTargetIsNotFiltered)
     const std::vector<Result> rebuilt = ResultsOf(limits, 8, 0, trace);
     for (std::uint32_t i = 0; i < rebuilt.size(); i++)
     {
-        if (i / settings.blockSide == 4)  // pixels there may have missed the noise beside them
+        if (i / Settings::blockSide == 4)  // pixels there may have missed the noise beside them
             continue;
-        EXPECT_EQ(rebuilt[i] == plain[i], i / settings.blockSide < 4) << i;
+        EXPECT_EQ(rebuilt[i] == plain[i], i / Settings::blockSide < 4) << i;
     }
 }
 
@@ -279,7 +279,7 @@ TEST(TileSamplerStop, NonFiniteSamplesAreBlackAndCounted)
          {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()})
     {
         const auto spoiled = [](const SampleId& id)
-        { return id.x == 2 * settings.blockSide + 2 && id.y == settings.blockSide + 3 && id.index % 8 == 5; };
+        { return id.x == 2 * Settings::blockSide + 2 && id.y == Settings::blockSide + 3 && id.index % 8 == 5; };
         const auto broken = [&](const SampleId& id, SampleResult& light)
         {
             Edge(id, light);
@@ -292,14 +292,14 @@ TEST(TileSamplerStop, NonFiniteSamplesAreBlackAndCounted)
             if (spoiled(id))
                 light = Radiance{};
         };
-        const Area tile{2 * settings.blockSide, settings.blockSide, settings.blockSide, settings.blockSide};
+        const Area tile{2 * Settings::blockSide, Settings::blockSide, Settings::blockSide, Settings::blockSide};
         const SamplingLimits limits = Limits(8, 1024, 1e-4);
-        BlockCache brokenStore(limits, 8 * settings.blockSide, 8 * settings.blockSide, tile);
-        BlockCache blackStore(limits, 8 * settings.blockSide, 8 * settings.blockSide, tile);
+        BlockCache brokenStore(limits, 8 * Settings::blockSide, 8 * Settings::blockSide, tile);
+        BlockCache blackStore(limits, 8 * Settings::blockSide, 8 * Settings::blockSide, tile);
         TileSampler brokenTile(brokenStore), blackTile(blackStore);
         const auto results = ResultsOf(brokenTile, tile, broken);
         EXPECT_TRUE(results == ResultsOf(blackTile, tile, black)) << bad;
-        EXPECT_EQ(brokenTile.Statistics().notFinite, results[3 * settings.blockSide + 2].samples / 8) << bad;
+        EXPECT_EQ(brokenTile.Statistics().notFinite, results[3 * Settings::blockSide + 2].samples / 8) << bad;
         EXPECT_EQ(blackTile.Statistics().notFinite, 0u);
     }
 }
@@ -378,7 +378,7 @@ std::uint32_t FirstRoundOf(const SamplingLimits& limits, std::uint32_t noisyColu
             results[i] = Grey(run.first.x < noisyColumns ? Noise(run[i], 1) : 0.7);
         most = std::max(most, run.first.index + run.count);
     });
-    Block block({0, 0, settings.blockSide, settings.blockSide}, settings.blockSide, settings.blockSide);
+    Block block({0, 0, Settings::blockSide, Settings::blockSide}, Settings::blockSide, Settings::blockSide, Settings());
     block.TakeStep(0, {}, limits, trace);
     return most;
 }
@@ -387,22 +387,22 @@ TEST(TileSampler, FirstRoundsAreLongerWhereManyPixelsAreFarFromConvergence)
 {
     SamplingLimits limits = Limits(4, 64, 1e-4);
     limits.denoise = true;
-    const std::uint32_t few = std::uint32_t(settings.farShare * settings.blockSide) - 1;
-    EXPECT_EQ(FirstRoundOf(limits, settings.blockSide), settings.mostFirstSamples);
-    EXPECT_EQ(FirstRoundOf(limits, settings.blockSide / 2), settings.mostFirstSamples);
+    const std::uint32_t few = std::uint32_t(Settings().farShare * Settings::blockSide) - 1;
+    EXPECT_EQ(FirstRoundOf(limits, Settings::blockSide), Settings::mostFirstSamples);
+    EXPECT_EQ(FirstRoundOf(limits, Settings::blockSide / 2), Settings::mostFirstSamples);
     EXPECT_EQ(FirstRoundOf(limits, few), 4u);
     EXPECT_EQ(FirstRoundOf(limits, 0), 4u);
     limits.variance = 1e-2;  // noise of variance 1/12 needs 8 samples
-    EXPECT_EQ(FirstRoundOf(limits, settings.blockSide), 4u);
+    EXPECT_EQ(FirstRoundOf(limits, Settings::blockSide), 4u);
     limits = Limits(4, 8, 1e-4);
     limits.denoise = true;
-    EXPECT_EQ(FirstRoundOf(limits, settings.blockSide), 8u);
-    EXPECT_EQ(FirstRoundOf(Limits(4, 64, 1e-4), settings.blockSide), 4u);
+    EXPECT_EQ(FirstRoundOf(limits, Settings::blockSide), 8u);
+    EXPECT_EQ(FirstRoundOf(Limits(4, 64, 1e-4), Settings::blockSide), 4u);
 }
 
 TEST(BlockCache, MemoryOfABlock)
 {
-    const double pixels = settings.blockSide * settings.blockSide;
+    const double pixels = Settings::blockSide * Settings::blockSide;
     const double seen = (sizeof(SpreadSums) + sizeof(BlockStatistics)) / pixels;
     EXPECT_LE(sizeof(PixelEstimate) + seen, 370.0);
     EXPECT_LE(sizeof(PixelResult) + 2.0 * seen, 320.0);

@@ -17,17 +17,17 @@ namespace
 /// The line covers a sixteenth of its pixels.
 void LineAlongRow(const SampleId& id, SampleResult& light)
 {
-    light = Grey(id.y == settings.blockSide / 2 && SequencePointOf(id).pixelY < 1.0 / 16.0 ? 0.0 : 1.0);
+    light = Grey(id.y == Settings::blockSide / 2 && SequencePointOf(id).pixelY < 1.0 / 16.0 ? 0.0 : 1.0);
 }
 
 // If three adjacent pixels miss it with eight samples, nothing shows it.
 TEST(TileSamplerSearch, FindsAThinLineThatNeighboursMissedAtLowVariance)
 {
-    const std::uint32_t width = 32 * settings.blockSide;
-    const std::vector<Result> results = ResultsOf(Limits(8, 65536, 1e-6), {0, 0, width, settings.blockSide}, width, settings.blockSide,
+    const std::uint32_t width = 32 * Settings::blockSide;
+    const std::vector<Result> results = ResultsOf(Limits(8, 65536, 1e-6), {0, 0, width, Settings::blockSide}, width, Settings::blockSide,
                                                   LineAlongRow);
     for (std::uint32_t x = 0; x < width; x++)
-        EXPECT_NEAR(results[settings.blockSide / 2 * width + x].mean[0], 15.0 / 16.0, 0.02) << x;
+        EXPECT_NEAR(results[Settings::blockSide / 2 * width + x].mean[0], 15.0 / 16.0, 0.02) << x;
     EXPECT_LE(results[0].samples, 256u);
 }
 
@@ -45,7 +45,7 @@ Tracer HiddenLamp(double light)
 std::uint32_t SamplesForHiddenLamp(double light, double variance)
 {
     std::uint32_t most = 0;
-    for (const Result& result : ResultsOf(Limits(8, 65536, variance), settings.blockSide, settings.blockSide, HiddenLamp(light)))
+    for (const Result& result : ResultsOf(Limits(8, 65536, variance), Settings::blockSide, Settings::blockSide, HiddenLamp(light)))
         most = std::max(most, result.samples);
     return most;
 }

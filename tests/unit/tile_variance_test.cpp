@@ -97,12 +97,12 @@ Score ScoreOf(const Picture& picture, const SamplingLimits& limits, std::uint32_
     Score score;
     for (std::uint32_t block = 0; block < blocks; block++)
     {
-        const std::uint32_t left = block % 8 * settings.blockSide, top = block / 8 * settings.blockSide;
+        const std::uint32_t left = block % 8 * Settings::blockSide, top = block / 8 * Settings::blockSide;
         const std::vector<Result> results = ResultsOf(limits, left, top, picture.trace);
         for (std::uint32_t i = 0; i < results.size(); i++)
         {
             const Result& r = results[i];
-            const double error = std::pow(r.mean[0] - picture.mean(left + i % settings.blockSide, top + i / settings.blockSide), 2);
+            const double error = std::pow(r.mean[0] - picture.mean(left + i % Settings::blockSide, top + i / Settings::blockSide), 2);
             score.error += error;
             score.claimed += r.variance;
             score.beyond += error > 4.0 * limits.variance;

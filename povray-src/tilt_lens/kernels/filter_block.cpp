@@ -16,7 +16,7 @@ namespace
 {
 
 constexpr int kColumns = PaddedBlock::kColumns;
-constexpr int kSide = int(settings.blockSide);
+constexpr int kSide = int(Settings::blockSide);
 constexpr int kPixels = kSide * kSide;
 
 constexpr std::size_t kPlane = PaddedBlock::kRows * PaddedBlock::kColumns;
@@ -95,8 +95,8 @@ class FilteredRows
         const auto filter = [](const Part& part, const float* from, float* to) TILT_LENS_INLINED_LAMBDA
         {
             Part higher = part;
-            higher.top -= settings.filterRadius;
-            higher.bottom += settings.filterRadius;
+            higher.top -= Settings::filterRadius;
+            higher.bottom += Settings::filterRadius;
             higher.ForEach([&](int i) TILT_LENS_INLINED_LAMBDA { Store(&to[i], Filtered<Floats, kFilter>(&from[i], 1)); });
         };
         for (int c = 0; c < kChannels; c++)
@@ -108,7 +108,7 @@ class FilteredRows
 constexpr float NoiseLeftBy(Filter filter)
 {
     float sum = kTaps[filter][0] * kTaps[filter][0];
-    for (int i = 1; i <= settings.filterRadius; i++)
+    for (int i = 1; i <= Settings::filterRadius; i++)
         sum += 2.0f * kTaps[filter][i] * kTaps[filter][i];
     return sum;
 }
@@ -130,7 +130,7 @@ class RiskWeightedMean
 {
   public:
     explicit TILT_LENS_INLINED RiskWeightedMean(const FilterInput& around) :
-        around(around), risky(around, settings.riskRadius), wanted(around, 0)
+        around(around), risky(around, Settings::riskRadius), wanted(around, 0)
     {
         const Floats least = Floats() + 1e-30f, most = Floats() + 1e30f;
         risky.ForEach([&](int i) TILT_LENS_INLINED_LAMBDA
@@ -140,8 +140,8 @@ class RiskWeightedMean
             Store(&units[i], unit);
             Store(&noises[i], unit * variance);
         });
-        MeanAround<settings.riskRadius>(noises, around, noiseAround);
-        MeanAround<settings.nearRiskRadius>(noises, around, noiseNear);
+        MeanAround<Settings::riskRadius>(noises, around, noiseAround);
+        MeanAround<Settings::nearRiskRadius>(noises, around, noiseNear);
     }
 
     /// @param candidate  linear estimate from index i on; CentreTap(i) is the tap of the pixel itself, NoiseLeft(i) the remaining variance,
@@ -150,8 +150,8 @@ class RiskWeightedMean
     TILT_LENS_INLINED void Add(const Candidate& candidate)
     {
         FindRisk(candidate);
-        MeanAround<settings.riskRadius>(limited, around, riskAround);
-        MeanAround<settings.nearRiskRadius>(risk, around, riskNear);
+        MeanAround<Settings::riskRadius>(limited, around, riskAround);
+        MeanAround<Settings::nearRiskRadius>(risk, around, riskNear);
         wanted.ForEach([&](int i) TILT_LENS_INLINED_LAMBDA
         {
             const Floats weight = candidate.Preference(i) * WeightOf(i);
@@ -195,18 +195,18 @@ class RiskWeightedMean
                 squares += difference * difference;
             }
             const Floats noise = Load<Floats>(&noises[i]), all = squares * Load<Floats>(&units[i]) - noiseTaken * noise;
-            const Floats whole = Min(all, Floats() + settings.greatestFiniteRisk);
+            const Floats whole = Min(all, Floats() + Settings::greatestFiniteRisk);
             Store(&risk[i], whole);
-            Store(&limited[i], Min(whole, settings.riskLimit * noise));
+            Store(&limited[i], Min(whole, around.settings.riskLimit * noise));
         });
     }
 
     TILT_LENS_INLINED Floats WeightOf(int i) const
     {
         const Floats before = Load<Floats>(&noiseAround[i]);
-        const Floats near = Load<Floats>(&riskNear[i]) - settings.chanceRisk * Load<Floats>(&noiseNear[i]);
-        const Floats after = Max(Max(Load<Floats>(&riskAround[i]), near), 1.0f / settings.greatestRisk * before + 1e-30f);
-        const Floats root = Max(before / after - 1.0f / settings.greatestRisk, Floats());
+        const Floats near = Load<Floats>(&riskNear[i]) - around.settings.chanceRisk * Load<Floats>(&noiseNear[i]);
+        const Floats after = Max(Max(Load<Floats>(&riskAround[i]), near), 1.0f / around.settings.greatestRisk * before + 1e-30f);
+        const Floats root = Max(before / after - 1.0f / around.settings.greatestRisk, Floats());
         return root * root;
     }
 };
@@ -226,7 +226,7 @@ class SpreadCandidate
             const float others = spread.samples[i], noise = around.noise[i];
             const float noiseOfOthers = others > 0.0f && noise > 0.0f ? Min(spread.variance[i] / (others * noise), 1.0f) : 1.0f;
             noiseLeft[i] = ownTap[i] * ownTap[i] + (1.0f - ownTap[i]) * (1.0f - ownTap[i]) * noiseOfOthers;
-            weight[i] = settings.spreadWeight * (1.0f + settings.missedWeight * around.missed[i]);
+            weight[i] = around.settings.spreadWeight * (1.0f + around.settings.missedWeight * around.missed[i]);
         }
         for (int c = 0; c < 3; c++)
             Estimate(around.mean[c], spread.mean[c], risky, means[c]);
@@ -263,8 +263,8 @@ class SpreadCandidate
         if (!kCorrected)
             return;
         Part higher = part;
-        higher.top -= settings.filterRadius;
-        higher.bottom += settings.filterRadius;
+        higher.top -= Settings::filterRadius;
+        higher.bottom += Settings::filterRadius;
         higher.ForEach([&](int i) TILT_LENS_INLINED_LAMBDA { Store(&rows[i], Filtered<Floats, kMean9>(&missing[i], 1)); });
         part.ForEach([&](int i) TILT_LENS_INLINED_LAMBDA
         { Store(&estimate[i], Load<Floats>(&estimate[i]) + Filtered<Floats, kMean9>(&rows[i], kColumns)); });
@@ -297,7 +297,7 @@ TILT_LENS_INLINED void FilterChannels(const FilterInput& around, const FilterOut
     }
 }
 
-} // namespace
+}  // namespace
 
 void FilterBlock(const FilterInput& input, const FilterOutput& output)
 {
@@ -319,4 +319,4 @@ void EstimateSpread(const FilterInput& input, const FilterOutput& output)
     }
 }
 
-} // namespace tilt_lens::TILT_LENS_VARIANT
+}  // namespace tilt_lens::TILT_LENS_VARIANT

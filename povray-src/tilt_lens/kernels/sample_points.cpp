@@ -15,7 +15,7 @@ namespace
 /// Written as a loop that compilers vectorise.
 TILT_LENS_INLINED void FindCoordinates(std::uint32_t first, std::uint32_t seed, const std::uint32_t* steps, double* coordinates)
 {
-    for (std::uint32_t i = 0; i < settings.cameraRaysOfBatch; ++i)
+    for (std::uint32_t i = 0; i < Settings::cameraRaysOfBatch; ++i)
         coordinates[i] = ToUnit(ReverseBits(Scramble(first ^ steps[i], seed)));
 }
 

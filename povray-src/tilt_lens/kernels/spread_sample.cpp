@@ -229,7 +229,7 @@ TILT_LENS_INLINED void Send(Planes& planes, const CirclePixels& pixels, const fl
         const int i = __builtin_ctz(rest);
         const RowShares shares{(i == kReach ? ofOthers : ofColumns).of - (column - kReach), pixels.begin[i], pixels.end[i], density};
         if (i == kReach && column >= shares.begin && column < shares.end)
-            planes.own[row * int(settings.blockSide) + column].share += weight * shares.DensityAt(column) * ofRows.of[i];
+            planes.own[row * int(Settings::blockSide) + column].share += weight * shares.DensityAt(column) * ofRows.of[i];
         const float weighted = weight * ofRows.of[i];
         AddRow(planes, Planes::PlaceOf(0, row + i - kReach), shares, weighted * value, weighted * SquareOf(value));
         if (density != nullptr)
@@ -256,7 +256,7 @@ bool SpreadSample(Planes& planes, int column, int row, const CircleOfConfusion& 
     if (pixels.count <= 1 || !(sum > 0.0f))
         return false;
     planes.spread = true;
-    planes.own[row * int(settings.blockSide) + column].weight += weight;
+    planes.own[row * int(Settings::blockSide) + column].weight += weight;
     Send(planes, pixels, shaped ? densities.of : nullptr, sum, value, weight, column, row);
     return true;
 }

@@ -11,7 +11,7 @@ namespace tilt_lens
 namespace
 {
 
-constexpr int kSide = int(settings.blockSide);
+constexpr int kSide = int(Settings::blockSide);
 
 /// @param place   -1 left of the middle block, 0, or 1 right of it
 /// @param mirror  true if `from` is the middle block's row
@@ -33,7 +33,7 @@ void CopyRow(const float* from, int place, bool mirror, float* row)
 
 void BlockStatistics::Set(std::uint32_t x, std::uint32_t y, const Radiance& mean, double noise, double missed, std::uint32_t samples)
 {
-    const std::size_t i = y * settings.blockSide + x;
+    const std::size_t i = y * Settings::blockSide + x;
     for (std::size_t c = 0; c < mean.size(); c++)
         planes[kMean + c][i] = mean[c];
     planes[kNoise][i] = noise;
@@ -44,12 +44,12 @@ void BlockStatistics::Set(std::uint32_t x, std::uint32_t y, const Radiance& mean
 
 void BlockStatistics::RepeatEdges(std::uint32_t width, std::uint32_t height)
 {
-    if (width == settings.blockSide && height == settings.blockSide)
+    if (width == Settings::blockSide && height == Settings::blockSide)
         return;
     for (BlockPlane& plane : planes)
-        for (std::uint32_t y = 0; y < settings.blockSide; y++)
-            for (std::uint32_t x = 0; x < settings.blockSide; x++)
-                plane[y * settings.blockSide + x] = plane[std::min(y, height - 1) * settings.blockSide + std::min(x, width - 1)];
+        for (std::uint32_t y = 0; y < Settings::blockSide; y++)
+            for (std::uint32_t x = 0; x < Settings::blockSide; x++)
+                plane[y * Settings::blockSide + x] = plane[std::min(y, height - 1) * Settings::blockSide + std::min(x, width - 1)];
 }
 
 PaddedBlock::PaddedBlock(const std::array<const BlockStatistics*, 9>& blocks)

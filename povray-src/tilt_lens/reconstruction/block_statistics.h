@@ -17,7 +17,7 @@
 namespace tilt_lens
 {
 
-using BlockPlane = std::array<float, settings.blockSide * settings.blockSide>;
+using BlockPlane = std::array<float, Settings::blockSide * Settings::blockSide>;
 
 class BlockStatistics
 {
@@ -50,8 +50,8 @@ class BlockStatistics
 class PaddedBlock
 {
   public:
-    static constexpr int kBorder = settings.filterRadius + settings.riskRadius;
-    static constexpr int kRows = int(settings.blockSide) + 2 * kBorder;
+    static constexpr int kBorder = Settings::filterRadius + Settings::riskRadius;
+    static constexpr int kRows = int(Settings::blockSide) + 2 * kBorder;
     static constexpr int kColumns = (kRows + 3) / 4 * 4;  ///< rounded up to whole vector registers
 
     using Plane = std::array<float, kRows * kColumns>;

@@ -7,6 +7,8 @@
 #ifndef TILT_LENS_FILTER_INPUT_H
 #define TILT_LENS_FILTER_INPUT_H
 
+#include "tilt_lens/settings.h"
+
 namespace tilt_lens
 {
 
@@ -21,6 +23,7 @@ struct FilterInput
     int channels;               ///< 3, or 5 if a pixel is transparent
     int firstRow, endRow;
     const SpreadInput* spread;  ///< null: none
+    const Settings& settings;
 };
 
 struct FilterOutput

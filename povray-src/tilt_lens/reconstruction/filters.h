@@ -27,7 +27,7 @@ enum Filter
 };
 
 /// From the centre to one end.
-constexpr float kTaps[kFilters][settings.filterRadius + 1] = {
+constexpr float kTaps[kFilters][Settings::filterRadius + 1] = {
     {1.0f},
     {17.0f / 35, 12.0f / 35, -3.0f / 35},
     {59.0f / 231, 54.0f / 231, 39.0f / 231, 14.0f / 231, -21.0f / 231},
@@ -55,7 +55,7 @@ constexpr FilterPair kBank[] = {
 template<class Vector, Filter kFilter>
 TILT_LENS_INLINED Vector Filtered(const float* at, int step)
 {
-    constexpr int reach = kFilter == kNone ? 0 : kFilter == kFit5 ? 2 : settings.filterRadius;
+    constexpr int reach = kFilter == kNone ? 0 : kFilter == kFit5 ? 2 : Settings::filterRadius;
     Vector sum = kTaps[kFilter][0] * Load<Vector>(at);
     for (int i = 1; i <= reach; i++)
         sum += kTaps[kFilter][i] * (Load<Vector>(at - i * step) + Load<Vector>(at + i * step));

@@ -27,7 +27,7 @@ void AddRow(const float* from, int count, float weight, float* to)
         to[i] += weight * from[i];
 }
 
-constexpr int kSide = int(settings.blockSide), kBorder = PaddedBlock::kBorder, kReach = SpreadSums::kReach;
+constexpr int kSide = int(Settings::blockSide), kBorder = PaddedBlock::kBorder, kReach = SpreadSums::kReach;
 static_assert(kBorder + kReach <= kSide, "samples of the neighbours must be all that reaches the border");
 
 } // namespace

@@ -12,11 +12,17 @@ namespace tilt_lens
 namespace
 {
 
-FilterInput InputOf(const PaddedBlock& around, const Rows& rows, const SpreadInput* spread)
+FilterInput InputOf(const PaddedBlock& around, const Settings& settings, const Rows& rows, const SpreadInput* spread)
 {
-    FilterInput input{
-        {},    around.Noise().data(), around.Missed().data(), around.Samples().data(), around.IsTransparent() ? 5 : 3, rows.begin, rows.end,
-        spread};
+    FilterInput input{{},
+                      around.Noise().data(),
+                      around.Missed().data(),
+                      around.Samples().data(),
+                      around.IsTransparent() ? 5 : 3,
+                      rows.begin,
+                      rows.end,
+                      spread,
+                      settings};
     for (int c = 0; c < 5; c++)
         input.mean[c] = around.Mean(c).data();
     return input;
@@ -49,19 +55,19 @@ Radiance ReconstructedBlock::MeanOf(std::size_t pixel) const
     return light;
 }
 
-ReconstructedBlock Reconstruct(const PaddedBlock& around, const PaddedSpread* spread, const Rows& rows)
+ReconstructedBlock Reconstruct(const PaddedBlock& around, const Settings& settings, const PaddedSpread* spread, const Rows& rows)
 {
     const SpreadInput spreadInput = spread != nullptr ? InputOf(*spread) : SpreadInput{};
     ReconstructedBlock block{};
-    kernels->filterBlock(InputOf(around, rows, spread != nullptr ? &spreadInput : nullptr), OutputTo(block));
+    kernels->filterBlock(InputOf(around, settings, rows, spread != nullptr ? &spreadInput : nullptr), OutputTo(block));
     return block;
 }
 
-ReconstructedBlock SpreadEstimates(const PaddedBlock& around, const PaddedSpread& spread)
+ReconstructedBlock SpreadEstimates(const PaddedBlock& around, const Settings& settings, const PaddedSpread& spread)
 {
     const SpreadInput spreadInput = InputOf(spread);
     ReconstructedBlock block{};
-    kernels->estimateSpread(InputOf(around, Rows(), &spreadInput), OutputTo(block));
+    kernels->estimateSpread(InputOf(around, settings, Rows(), &spreadInput), OutputTo(block));
     return block;
 }
 

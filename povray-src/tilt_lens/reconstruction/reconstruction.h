@@ -22,7 +22,7 @@ namespace tilt_lens
 /// begin <= row < end
 struct Rows
 {
-    int begin = 0, end = int(settings.blockSide);
+    int begin = 0, end = int(Settings::blockSide);
 
     bool IsEmpty() const { return begin >= end; }
     bool Has(int row) const { return row >= begin && row < end; }
@@ -38,10 +38,11 @@ struct ReconstructedBlock
 };
 
 /// @param rows  to reconstruct; others stay unchanged
-ReconstructedBlock Reconstruct(const PaddedBlock& around, const PaddedSpread* spread = nullptr, const Rows& rows = Rows());
+ReconstructedBlock Reconstruct(const PaddedBlock& around, const Settings& settings, const PaddedSpread* spread = nullptr,
+                               const Rows& rows = Rows());
 
 /// For pixels with one sample, whose noise is unknown.
-ReconstructedBlock SpreadEstimates(const PaddedBlock& around, const PaddedSpread& spread);
+ReconstructedBlock SpreadEstimates(const PaddedBlock& around, const Settings& settings, const PaddedSpread& spread);
 
 } // namespace tilt_lens
 

@@ -27,22 +27,22 @@ LensFootprint::LensFootprint(const Lens& lens, const Aperture& aperture, double 
     axisB = axis(lens.lensY);
     if (isDisc)
         return;
-    for (int row = 0; row < settings.densityCells; row++)
-        for (int column = 0; column < settings.densityCells; column++)
-            density.push_back(float(aperture.Density({boundingRadius * ((2.0 * column + 1.0) / settings.densityCells - 1.0),
-                                                      boundingRadius * ((2.0 * row + 1.0) / settings.densityCells - 1.0)})));
+    for (int row = 0; row < Settings::densityCells; row++)
+        for (int column = 0; column < Settings::densityCells; column++)
+            density.push_back(float(aperture.Density({boundingRadius * ((2.0 * column + 1.0) / Settings::densityCells - 1.0),
+                                                      boundingRadius * ((2.0 * row + 1.0) / Settings::densityCells - 1.0)})));
 }
 
 void LensFootprint::FindDensities(const AperturePoints& first, const AperturePoints& step, int count, float* densities) const
 {
     // in units of 2^-kShift cells; kReach pixels on either side cannot overflow
-    constexpr int kShift = 16, kMost = 1024, last = settings.densityCells - 1;
-    const float scale = 0.5f * settings.densityCells / boundingRadius;
+    constexpr int kShift = 16, kMost = 1024, last = Settings::densityCells - 1;
+    const float scale = 0.5f * Settings::densityCells / boundingRadius;
     const auto places = [](float cells) { return int(std::min(std::max(cells, float(-kMost)), float(kMost)) * (1 << kShift)); };
     int column = places((first.a + boundingRadius) * scale), row = places((first.b + boundingRadius) * scale);
     const int columnStep = places(step.a * scale), rowStep = places(step.b * scale);
     for (int i = 0; i < count; i++, column += columnStep, row += rowStep)
-        densities[i] = density[std::clamp(row >> kShift, 0, last) * settings.densityCells + std::clamp(column >> kShift, 0, last)];
+        densities[i] = density[std::clamp(row >> kShift, 0, last) * Settings::densityCells + std::clamp(column >> kShift, 0, last)];
 }
 
 /// The hit lies along the chief ray plus `vergence` times the lens point; M is the derivative by the lens point.
@@ -74,7 +74,7 @@ SpreadSums::SpreadSums(const Area& block, double width, double height) :
 
 void SpreadSums::AddSharp(int column, int row, float weight)
 {
-    Own& itself = own[row * int(settings.blockSide) + column];
+    Own& itself = own[row * int(Settings::blockSide) + column];
     itself.share += weight;
     itself.weight += weight;
 }

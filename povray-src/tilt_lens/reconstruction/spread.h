@@ -80,8 +80,8 @@ bool ServesOthers(const CircleOfConfusion& circle);
 struct SpreadPlanes
 {
     /// Greatest spread along rows and columns, pixels.
-    static constexpr int kReach = settings.spreadReach;
-    static constexpr int kSide = int(settings.blockSide) + 2 * kReach;
+    static constexpr int kReach = Settings::spreadReach;
+    static constexpr int kSide = int(Settings::blockSide) + 2 * kReach;
     static constexpr int kMostLanes = sizeof(Float8) / sizeof(float);
 
     /// Sums of weighted shares, times red, green, blue, 1, and squared colour; last, of squared weighted shares.
@@ -103,7 +103,7 @@ struct SpreadPlanes
 
     PictureSpan columns, rows;
     float sums[kSums][kSide * kSide + kMostLanes];  ///< one per pixel, padded to a whole vector
-    Own own[settings.blockSide * settings.blockSide];
+    Own own[Settings::blockSide * Settings::blockSide];
     bool spread;
 
     TILT_LENS_INLINED static constexpr int PlaceOf(int x, int y) { return (y + kReach) * kSide + x + kReach; }
@@ -129,8 +129,8 @@ class SpreadSums : private SpreadPlanes
     /// Received by pixel (x, y) and those to its right; -kReach <= x, y < blockSide + kReach.
     const float* From(Sum sum, int x, int y) const { return &sums[sum][PlaceOf(x, y)]; }
     /// Weighted shares that a pixel's samples kept for it.
-    float OwnShare(int x, int y) const { return own[y * int(settings.blockSide) + x].share; }
-    float OwnWeight(int x, int y) const { return own[y * int(settings.blockSide) + x].weight; }
+    float OwnShare(int x, int y) const { return own[y * int(Settings::blockSide) + x].share; }
+    float OwnWeight(int x, int y) const { return own[y * int(Settings::blockSide) + x].weight; }
     float PixelWeight() const { return own[0].weight; }
     bool IsSpread() const { return spread; }
 };

@@ -24,7 +24,7 @@ void TakeRound(PixelStatistics& pixel, std::uint32_t x, std::uint32_t y, std::ui
     SampleRun run{{x, y, pixel.Samples()}, 0};
     for (; run.first.index < until; run.first.index += run.count)
     {
-        run.count = std::min(settings.cameraRaysOfBatch - run.first.index % settings.cameraRaysOfBatch, until - run.first.index);
+        run.count = std::min(Settings::cameraRaysOfBatch - run.first.index % Settings::cameraRaysOfBatch, until - run.first.index);
         tracer.Trace(run, results);
         pixel.Add(results, run.count);
         for (std::uint32_t i = 0; sent != nullptr && i < run.count; i++)
@@ -38,7 +38,7 @@ void TakeRound(PixelStatistics& pixel, std::uint32_t x, std::uint32_t y, std::ui
 void TakeSamples(BlockEstimate& estimate, std::uint32_t until, const SamplingLimits& limits, SentSamples* sent, const Tracer& trace)
 {
     const Area& area = estimate.area;
-    std::array<SampleResult, settings.cameraRaysOfBatch> results;
+    std::array<SampleResult, Settings::cameraRaysOfBatch> results;
     for (std::uint32_t y = area.top; y < area.Bottom(); y++)
         for (std::uint32_t x = area.left; x < area.Right(); x++)
         {
@@ -55,13 +55,13 @@ bool IsFarFromConvergence(const BlockEstimate& estimate, const SamplingLimits& l
 {
     if (!limits.Denoises() || estimate.firstSamples < 2)  // one sample shows no variance
         return false;
-    const double far = settings.farFactor * limits.variance * estimate.firstSamples;
+    const double far = limits.settings.farFactor * limits.variance * estimate.firstSamples;
     const auto pixels = std::count_if(estimate.pixels.begin(), estimate.pixels.end(), [far](const PixelEstimate& pixel)
     {
         const PixelStatistics& own = pixel.statistics;
         return pixel.varianceRatio * LargestChannel(RelativeTo(own.Mean(), own.Variance())) > far;
     });
-    return pixels >= settings.farShare * estimate.pixels.size();
+    return pixels >= limits.settings.farShare * estimate.pixels.size();
 }
 
 std::vector<std::uint32_t> SamplesOf(const BlockEstimate& estimate)
@@ -99,7 +99,7 @@ bool Block::TakeStep(int stepsTaken, const Neighbours& neighbours, const Samplin
 
 void Block::Look(const SamplingLimits& limits, const Tracer& trace)
 {
-    auto first = std::make_unique<BlockEstimate>(area);
+    auto first = std::make_unique<BlockEstimate>(area, limits.settings);
     std::uint32_t& samples = first->firstSamples;
     sent.Clear();  // left by an interrupted step
     do
@@ -108,7 +108,7 @@ void Block::Look(const SamplingLimits& limits, const Tracer& trace)
         TakeSamples(*first, samples, limits, limits.variance > 0.0 ? &sent : nullptr, trace);
         UpdateVarianceRatios(*first, samples);
     }
-    while (2 * samples <= std::min(limits.max, settings.mostFirstSamples) && IsFarFromConvergence(*first, limits));
+    while (2 * samples <= std::min(limits.max, Settings::mostFirstSamples) && IsFarFromConvergence(*first, limits));
     auto round = std::make_unique<FirstRound>(*first);
     if (limits.Denoises())
         round->statistics = StatisticsOf(*first);
@@ -195,12 +195,13 @@ void Block::ReconstructResults(const Neighbours& neighbours, const SamplingLimit
     std::array<const BlockStatistics*, 9> known = EachOf<BlockStatistics>(neighbours, &Block::statistics);
     known[4] = own;
     const PaddedBlock padded(known);
-    const ReconstructedBlock reconstructed = limits.max == 1 ? SpreadEstimates(padded, *received) : Reconstruct(padded, received, rows);
+    const ReconstructedBlock reconstructed = limits.max == 1 ? SpreadEstimates(padded, limits.settings, *received)
+                                                             : Reconstruct(padded, limits.settings, received, rows);
     for (std::size_t i = 0; i < results.size(); i++)
     {
         PixelResult& pixel = results[i];
         const int row = int(i / area.width);
-        const std::size_t place = row * settings.blockSide + i % area.width;
+        const std::size_t place = row * Settings::blockSide + i % area.width;
         const Radiance mean = reconstructed.MeanOf(place);
         if (!rows.Has(row) || !IsFinite(mean))  // beside a pixel too bright for a float
             continue;
@@ -220,7 +221,7 @@ Rows Block::NoisyRows(const SamplingLimits& limits) const
         double variance = 0.0;
         for (std::uint32_t x = 0; x < area.width; x++)
             variance += results[y * area.width + x].variance;
-        if (variance > settings.leastRowVariance * std::min(limits.variance, limits.filtered) * area.width)
+        if (variance > limits.settings.leastRowVariance * std::min(limits.variance, limits.filtered) * area.width)
             rows = {std::min(rows.begin, y), y + 1};
     }
     return rows;

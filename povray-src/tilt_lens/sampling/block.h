@@ -7,9 +7,14 @@
 /// The folder sampling/ chooses each pixel's samples, and estimates their variance. Render threads enter by tile_sampler.h; sample.h is the
 /// interface to the ray tracer.
 ///
-/// Three steps, look, converge and finish, read only the previous step's results of the block and its eight neighbours. Results depend on
-/// positions in the picture alone, never on threads or tiles (section 7). Any thread may request any step; the first one takes it. If the
-/// tracer throws, the block stays unchanged.
+/// A block is computed in three steps. Each reads only results of the previous one, of the block and its eight neighbours:
+///
+///     look      a first round of samples
+///     converge  further rounds, until the stop rule holds
+///     finish    further rounds where all samples around show that something was missed, then the reconstruction
+///
+/// Results depend on positions in the picture alone, never on threads or tiles (section 7). Any thread may request any step; the first one
+/// takes it. If the tracer throws, the block stays unchanged.
 
 #ifndef TILT_LENS_BLOCK_H
 #define TILT_LENS_BLOCK_H
@@ -53,7 +58,10 @@ class Block
     }
 
     /// @param width, height  whole picture, pixels
-    Block(const Area& area, std::uint32_t width, std::uint32_t height) : area(area), sent(area, width, height) {}
+    Block(const Area& area, std::uint32_t width, std::uint32_t height, const Settings& settings) :
+        area(area), sent(area, width, height, settings.mostSentSamples)
+    {
+    }
 
     const Area area;
 
@@ -75,12 +83,12 @@ class Block
     /// @name Left by the second step
     /// @{
     std::shared_ptr<const BlockStatistics> statistics;  ///< null: no denoising
-    std::shared_ptr<const SpreadSums> spread;           ///< of all rounds so far; null: none
+    std::shared_ptr<const SpreadSums> spread;  ///< of all rounds so far; null: none
     /// @}
     /// @name Read by this block alone
     /// @{
     std::unique_ptr<const BlockEstimate> estimate;  ///< until the last step
-    SentSamples sent;                               ///< until the second step
+    SentSamples sent;  ///< until the second step
     std::vector<PixelResult> results;
     /// @}
 
@@ -98,6 +106,6 @@ class Block
     Rows NoisyRows(const SamplingLimits& limits) const;
 };
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
 
 #endif

@@ -27,9 +27,9 @@ std::uint32_t Overlap(const Area& a, const Area& b)
 
 Area BlocksOf(const Area& pixels)
 {
-    const std::uint32_t left = pixels.left / settings.blockSide, top = pixels.top / settings.blockSide;
-    const std::uint32_t right = (pixels.Right() + settings.blockSide - 1) / settings.blockSide;
-    const std::uint32_t bottom = (pixels.Bottom() + settings.blockSide - 1) / settings.blockSide;
+    const std::uint32_t left = pixels.left / Settings::blockSide, top = pixels.top / Settings::blockSide;
+    const std::uint32_t right = (pixels.Right() + Settings::blockSide - 1) / Settings::blockSide;
+    const std::uint32_t bottom = (pixels.Bottom() + Settings::blockSide - 1) / Settings::blockSide;
     return {left, top, right - left, bottom - top};
 }
 
@@ -50,13 +50,14 @@ BlockCache::BlockCache(const SamplingLimits& limits, std::uint32_t width, std::u
 
 bool BlockCache::IsInside(const Place& place) const
 {
-    return place.first >= 0 && place.second >= 0 && place.first * settings.blockSide < height && place.second * settings.blockSide < width;
+    return place.first >= 0 && place.second >= 0 && place.first * Settings::blockSide < height &&
+           place.second * Settings::blockSide < width;
 }
 
 Area BlockCache::PixelsOf(const Place& place) const
 {
-    const std::uint32_t left = place.second * settings.blockSide, top = place.first * settings.blockSide;
-    return {left, top, std::min(settings.blockSide, width - left), std::min(settings.blockSide, height - top)};
+    const std::uint32_t left = place.second * Settings::blockSide, top = place.first * Settings::blockSide;
+    return {left, top, std::min(Settings::blockSide, width - left), std::min(Settings::blockSide, height - top)};
 }
 
 std::uint16_t& BlockCache::ToCome(const Place& place)
@@ -79,12 +80,13 @@ std::shared_ptr<Block> BlockCache::Get(const Place& place)
     if (found != entries.end())
         return found->second.block;
     std::uint32_t users = 0;
-    for (std::int64_t dy = -settings.dependencyRadius; dy <= settings.dependencyRadius; dy++)
-        for (std::int64_t dx = -settings.dependencyRadius; dx <= settings.dependencyRadius; dx++)
+    for (std::int64_t dy = -Settings::dependencyRadius; dy <= Settings::dependencyRadius; dy++)
+        for (std::int64_t dx = -Settings::dependencyRadius; dx <= Settings::dependencyRadius; dx++)
             users += HasToCome({place.first + dy, place.second + dx});
     if (users == 0)  // released while a thread looked for work
         return nullptr;
-    return entries.emplace(place, Entry{std::make_shared<Block>(PixelsOf(place), width, height), users}).first->second.block;
+    return entries.emplace(place, Entry{std::make_shared<Block>(PixelsOf(place), width, height, limits.settings), users})
+        .first->second.block;
 }
 
 void BlockCache::Finish(const std::vector<Place>& wanted, const Tracer& trace)
@@ -179,7 +181,7 @@ std::vector<BlockCache::Place> BlockCache::Window()
     };
     for (; places.empty() && firstRow < blocks.Bottom(); firstRow += places.empty())
         addRow(firstRow);
-    for (std::int64_t row = firstRow + 1; row < std::min<std::int64_t>(blocks.Bottom(), firstRow + settings.windowRows); row++)
+    for (std::int64_t row = firstRow + 1; row < std::min<std::int64_t>(blocks.Bottom(), firstRow + Settings::windowRows); row++)
         addRow(row);
     return places;
 }
@@ -195,8 +197,8 @@ void BlockCache::Release(const Area& tile)
             left -= Overlap(PixelsOf({row, column}), tile);
             if (left > 0)
                 continue;
-            for (std::int64_t dy = -settings.dependencyRadius; dy <= settings.dependencyRadius; dy++)
-                for (std::int64_t dx = -settings.dependencyRadius; dx <= settings.dependencyRadius; dx++)
+            for (std::int64_t dy = -Settings::dependencyRadius; dy <= Settings::dependencyRadius; dy++)
+                for (std::int64_t dx = -Settings::dependencyRadius; dx <= Settings::dependencyRadius; dx++)
                 {
                     const auto user = entries.find({row + dy, column + dx});
                     if (user != entries.end() && --user->second.users == 0)

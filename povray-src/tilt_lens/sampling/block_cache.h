@@ -32,7 +32,7 @@ class BlockCache
 
     using Place = std::pair<std::int64_t, std::int64_t>;  ///< row and column, in blocks
 
-    static Place PlaceOf(std::uint32_t x, std::uint32_t y) { return {y / settings.blockSide, x / settings.blockSide}; }
+    static Place PlaceOf(std::uint32_t x, std::uint32_t y) { return {y / Settings::blockSide, x / Settings::blockSide}; }
 
     /// Takes all steps of these blocks; ignores places outside the picture. The thread waits for others only if there are no further blocks
     /// to work ahead on.

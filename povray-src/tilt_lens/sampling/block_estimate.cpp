@@ -10,6 +10,12 @@
 namespace tilt_lens
 {
 
+BlockEstimate::BlockEstimate(const Area& area, const Settings& settings) : area(area), pixels(area.Size()), settings(settings)
+{
+    for (PixelEstimate& pixel : pixels)
+        pixel.residualVarianceRatio = 1.0 / settings.greatestRisk;
+}
+
 bool BlockEstimate::HasNoise() const
 {
     return spread ||
@@ -22,7 +28,7 @@ FirstRound::FirstRound(const BlockEstimate& estimate) : samples(estimate.firstSa
     std::vector<double> variances;
     for (const PixelEstimate& pixel : estimate.pixels)
         variances.push_back(LargestChannel(RelativeTo(pixel.statistics.Mean(), pixel.statistics.Variance())));
-    constexpr int radius = settings.neighbourRadius, around = settings.neighbourhoodPixels;
+    constexpr int radius = Settings::neighbourRadius, around = Settings::neighbourhoodPixels;
     const std::vector<double> means = WindowMeans<radius>(variances, area.width);
     const double inside = std::max(1.0, (area.width - 2.0 * radius) * (area.height - 2.0 * radius));
     for (std::uint32_t y = radius; y + radius < area.height; y++)

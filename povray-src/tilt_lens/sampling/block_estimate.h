@@ -29,7 +29,7 @@ struct PixelEstimate
     double variance = 0.0;       ///< variance of the mean, largest channel, relative to SquaredScale
     double target = 0.0;         ///< variance target, at the last decision
     double excess = 0.0;         ///< variance after the reconstruction over the target, at the last decision
-    double residualVarianceRatio = 1.0 / settings.greatestRisk;  ///< predicted by the last forecast
+    double residualVarianceRatio = 1.0;  ///< predicted by the last forecast
     bool active = true;
 };
 
@@ -44,14 +44,15 @@ struct BlockEstimate
     Quadrants dualBufferRatio{1.0, 1.0, 1.0, 1.0};  ///< variance by dual buffers over that of independent samples
     std::shared_ptr<const BlockStatistics> statistics;  ///< null: no denoising
     std::uint32_t statisticsSamples = 0;        ///< active pixels' samples in `statistics`; 0: never computed
-    std::shared_ptr<const PaddedSpread>
-        spread; ///< received from the block and its neighbours; null: none or unknown
+    std::shared_ptr<const PaddedSpread> spread; ///< received from the block and its neighbours; null: none or unknown
 
-    explicit BlockEstimate(const Area& area) : area(area), pixels(area.Size()) {}
+    Settings settings;
+
+    BlockEstimate(const Area& area, const Settings& settings);
 
     std::size_t QuadrantOf(std::size_t pixel) const
     {
-        return 2 * (pixel / area.width / (settings.blockSide / 2)) + pixel % area.width / (settings.blockSide / 2);
+        return 2 * (pixel / area.width / (Settings::blockSide / 2)) + pixel % area.width / (Settings::blockSide / 2);
     }
     /// Share of a pixel's samples that serves other pixels, [0, 1).
     double SharedPart(std::size_t pixel) const { return spread ? 1.0 - spread->ownShare[PlaceOf(pixel)] : 0.0; }

@@ -25,8 +25,8 @@ BudgetPilot::BudgetPilot(const SamplingLimits& given, std::uint32_t itsWidth, st
     budget(itsBudget),
     width(itsWidth),
     height(itsHeight),
-    columns((width + settings.blockSide - 1) / settings.blockSide),
-    rows((height + settings.blockSide - 1) / settings.blockSide),
+    columns((width + Settings::blockSide - 1) / Settings::blockSide),
+    rows((height + Settings::blockSide - 1) / Settings::blockSide),
     limits(given),
     blocks(std::size_t(columns) * rows),
     records(blocks.size())
@@ -38,14 +38,14 @@ BudgetPilot::BudgetPilot(const SamplingLimits& given, std::uint32_t itsWidth, st
         places.push_back(all.counted[i]);
     few = WithNeighbours(places);
     for (const std::size_t place : all.looked)
-        records[place] = std::make_unique<SampleRecord>(PixelsOf(place));
+        records[place] = std::make_unique<SampleRecord>(PixelsOf(place), limits.settings.mostSentSamples);
     limits.filtered = UsualVariance(budget);
     BeginRound(*NextTrialVariance(trials, budget, limits.FirstRound()));
 }
 
 Area BudgetPilot::PixelsOf(std::size_t place) const
 {
-    const std::uint32_t side = settings.blockSide, left = place % columns * side, top = place / columns * side;
+    const std::uint32_t side = Settings::blockSide, left = place % columns * side, top = place / columns * side;
     return {left, top, std::min(side, width - left), std::min(side, height - top)};
 }
 
@@ -66,8 +66,9 @@ Block::Neighbours BudgetPilot::NeighboursOf(std::size_t place) const
 /// All blocks if `recordBytes` suffice; else a random one of each equally large group of neighbours.
 std::vector<std::size_t> BudgetPilot::ChosenPlaces(double recordBytes) const
 {
-    const double pixels = settings.blockSide * settings.blockSide, ofBlock = pixels * SampleRecord::BytesOf(budget);
-    const double ofNeighbours = 8.0 * pixels * SampleRecord::BytesOf(limits.FirstRound());
+    const double pixels = Settings::blockSide * Settings::blockSide,
+                 ofBlock = pixels * SampleRecord::BytesOf(budget, limits.settings.mostSentSamples);
+    const double ofNeighbours = 8.0 * pixels * SampleRecord::BytesOf(limits.FirstRound(), limits.settings.mostSentSamples);
     const std::size_t number = blocks.size();
     const bool whole = number * ofBlock <= recordBytes;
     const std::size_t wanted = whole ? number : std::min(number, std::max<std::size_t>(2, recordBytes / (ofBlock + ofNeighbours)));
@@ -108,7 +109,7 @@ void BudgetPilot::BeginRound(double variance)
 {
     limits.variance = variance;
     for (const std::size_t place : Sampled().looked)
-        blocks[place] = std::make_unique<Block>(PixelsOf(place), width, height);
+        blocks[place] = std::make_unique<Block>(PixelsOf(place), width, height, limits.settings);
     step = 0;
 }
 
@@ -211,7 +212,7 @@ BudgetRound BudgetPilot::Measure() const
 
 bool BudgetPilot::Get(const SampleRun& run, SampleResult* results) const
 {
-    const std::size_t place = run.first.y / settings.blockSide * columns + run.first.x / settings.blockSide;
+    const std::size_t place = run.first.y / Settings::blockSide * columns + run.first.x / Settings::blockSide;
     return records[place] && records[place]->Get(run, results);
 }
 

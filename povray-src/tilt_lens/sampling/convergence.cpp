@@ -27,13 +27,13 @@ void DecideTogether(BlockEstimate& estimate, std::uint32_t samples)
     std::vector<double> excesses;
     for (const PixelEstimate& pixel : estimate.pixels)
         excesses.push_back(pixel.excess);
-    const std::vector<double> around = WindowMeans<settings.neighbourRadius>(excesses, estimate.area.width);
+    const std::vector<double> around = WindowMeans<Settings::neighbourRadius>(excesses, estimate.area.width);
     for (std::size_t i = 0; i < excesses.size(); i++)
     {
         PixelEstimate& pixel = estimate.pixels[i];
         if (pixel.active && pixel.statistics.Samples() < samples)
             continue;
-        const bool searching = pixel.active && !HasSearchedEmitters(pixel.statistics, pixel.target);
+        const bool searching = pixel.active && !HasSearchedEmitters(pixel.statistics, pixel.target, estimate.settings.hiddenEmitterSamples);
         // also true if infinite or NaN
         pixel.active = searching || !(pixel.excess + estimate.SharedPart(i) * (around[i] - pixel.excess) <= 1.0);
     }
@@ -67,7 +67,7 @@ std::vector<std::size_t> Candidates(const BlockEstimate& estimate, std::uint32_t
 
 double ConfidenceFactor(std::uint32_t samples, double confidence)
 {
-    constexpr double pixels = settings.blockSide * settings.blockSide / 4;
+    constexpr double pixels = Settings::blockSide * Settings::blockSide / 4;
     const double freedom = pixels * (samples - 1);
     return freedom / boost::math::quantile(boost::math::chi_squared(freedom), 1.0 - confidence);
 }
@@ -77,10 +77,10 @@ double LoneVariance(double loneVariance, std::uint32_t firstSamples, std::uint32
     return loneVariance * firstSamples / Square(samples);
 }
 
-bool HasSearchedEmitters(const PixelStatistics& own, double target)
+bool HasSearchedEmitters(const PixelStatistics& own, double target, std::uint32_t most)
 {
     const double n = own.EmitterSamples();
-    if (n == 0.0 || n >= settings.hiddenEmitterSamples)
+    if (n == 0.0 || n >= most)
         return true;
     // square error of a missed lamp of radiance 1: mean of q^2 exp(-q n) over the share q that it covers, uniform in [0, 1]
     const double missed = (2.0 - (2.0 + n * (2.0 + n)) * std::exp(-n)) / (n * n * n);

@@ -24,7 +24,8 @@ double ConfidenceFactor(std::uint32_t samples, double confidence);
 double LoneVariance(double loneVariance, std::uint32_t firstSamples, std::uint32_t samples);
 
 /// True if the pixel has no emitters, if its error expected after misses is below the target, or if they count as hidden.
-bool HasSearchedEmitters(const PixelStatistics& own, double target);
+/// @param most  emitter samples after which an emitter counts as hidden
+bool HasSearchedEmitters(const PixelStatistics& own, double target, std::uint32_t most);
 
 /// Decides which pixels are active; records variance and excess of those active with `samples` samples.
 /// @return  true if an active pixel is below the maximum number of samples

@@ -19,9 +19,9 @@ constexpr double pi = 3.14159265358979323846;
 } // namespace
 
 EmitterSampling::EmitterSampling(const LensSampler& plain, const SamplingLimits& limits, const std::vector<Emitter>& all) :
-    plain(plain), usable(limits.max / settings.emitterStratum * settings.emitterStratum)
+    plain(plain), settings(limits.settings), usable(limits.max / Settings::emitterStratum * Settings::emitterStratum)
 {
-    if (limits.FirstRound() < settings.emitterStratum)
+    if (limits.FirstRound() < Settings::emitterStratum)
         return;
     for (const Emitter& emitter : all)
         Keep(emitter, limits.FirstRound() * limits.variance);
@@ -52,13 +52,13 @@ bool EmitterSampling::PixelPositionOf(const Vec3& through, const AperturePoint& 
 /// Bounding box of a point's circle of confusion, from few points on an enlarged circle around the aperture.
 EmitterSampling::Box EmitterSampling::BlurBoxOf(const Vec3& centre, bool& whole) const
 {
-    const double radius = plain.aperture.BoundingRadius() / std::cos(pi / settings.blurBoxPoints);
+    const double radius = plain.aperture.BoundingRadius() / std::cos(pi / Settings::blurBoxPoints);
     Box box{HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL};
     whole = true;
-    for (int i = 0; i < settings.blurBoxPoints; i++)
+    for (int i = 0; i < Settings::blurBoxPoints; i++)
     {
         double x, y;
-        const double turn = 2.0 * pi * i / settings.blurBoxPoints;
+        const double turn = 2.0 * pi * i / Settings::blurBoxPoints;
         whole = whole && PixelPositionOf(centre, {radius * std::cos(turn), radius * std::sin(turn)}, x, y);
         if (!whole)
             break;
@@ -98,7 +98,8 @@ bool EmitterSampling::Keep(const Emitter& emitter, double leastVariance)
 /// Lists each bin's possibly visible emitters, so that a pixel tests few.
 void EmitterSampling::Distribute()
 {
-    binSide = std::max(settings.leastEmitterBinSide, std::uint32_t(std::ceil(std::max(plain.width, plain.height) / settings.emitterBins)));
+    binSide = std::max(Settings::leastEmitterBinSide,
+                       std::uint32_t(std::ceil(std::max(plain.width, plain.height) / Settings::emitterBins)));
     columns = std::uint32_t(std::ceil(plain.width / binSide));
     const std::uint32_t rows = std::uint32_t(std::ceil(plain.height / binSide));
     bins.resize(kept.empty() ? 0 : std::size_t(columns) * rows);
@@ -115,7 +116,7 @@ void EmitterSampling::Distribute()
         const std::uint32_t bottom = std::uint32_t(std::min(plain.height - 1.0, box.bottom)) / binSide;
         for (std::uint32_t row = top; row <= bottom; row++)
             for (std::uint32_t column = left; column <= right; column++)
-                if (auto& list = bins[std::size_t(row) * columns + column]; list.size() < settings.emittersOfBin)
+                if (auto& list = bins[std::size_t(row) * columns + column]; list.size() < Settings::emittersOfBin)
                     list.push_back(i);
     }
 }

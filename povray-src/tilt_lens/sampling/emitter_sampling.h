@@ -76,6 +76,7 @@ class EmitterSampling
     };
 
     const LensSampler& plain;
+    const Settings settings;
     std::uint32_t usable;  ///< later samples are plain: their block of four is incomplete
     std::vector<Kept> kept;
     std::uint32_t binSide, columns;  ///< a bin's side in pixels, bins in a row

@@ -116,8 +116,8 @@ std::vector<Emitter> MirrorImages(const std::vector<Emitter>& sources, const std
     Images images(lensDiameter);
     if (sources.empty())
         return images.found;
-    const std::vector<MirrorPlane> planes = LargestOf(mirrors, settings.greatestImages / sources.size());
-    const bool pairs = planes.size() * planes.size() <= settings.greatestImages / sources.size();
+    const std::vector<MirrorPlane> planes = LargestOf(mirrors, Settings::greatestImages / sources.size());
+    const bool pairs = planes.size() * planes.size() <= Settings::greatestImages / sources.size();
     for (const Emitter& source : sources)
         for (const MirrorPlane& far : planes)
         {

@@ -23,7 +23,7 @@ struct FlatMirror
     double reflectance;  ///< of the brightest channel
 };
 
-/// Images in each mirror, the largest first, and in each ordered pair if they are few enough (settings.greatestImages). The lens must see
+/// Images in each mirror, the largest first, and in each ordered pair if they are few enough (Settings::greatestImages). The lens must see
 /// an image in the mirror, brighter than its surroundings can be. Occlusion is ignored.
 std::vector<Emitter> MirrorImages(const std::vector<Emitter>& sources, const std::vector<FlatMirror>& mirrors, double lensDiameter);
 

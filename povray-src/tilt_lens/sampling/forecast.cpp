@@ -19,7 +19,7 @@ namespace
 /// Index in a BlockPlane.
 std::size_t PlaneIndex(const BlockEstimate& estimate, std::size_t pixel)
 {
-    return pixel / estimate.area.width * settings.blockSide + pixel % estimate.area.width;
+    return pixel / estimate.area.width * Settings::blockSide + pixel % estimate.area.width;
 }
 
 /// Includes the neighbours after the first round only: later their greater noise would be taken for the block's error.
@@ -30,7 +30,7 @@ BlockPlane ForecastRatios(BlockEstimate& estimate, const Neighbourhood& around, 
     if (afterFirstRound)
         known = EachOf<BlockStatistics>(around.rounds, &FirstRound::statistics);
     known[4] = estimate.statistics.get();
-    return Reconstruct(PaddedBlock(known), estimate.spread.get()).residualVarianceRatio;
+    return Reconstruct(PaddedBlock(known), estimate.settings, estimate.spread.get()).residualVarianceRatio;
 }
 
 /// Variance of one sample, summed over the channels: mean of the 3 by 3 window within the block.
@@ -42,7 +42,7 @@ std::vector<double> VarianceAround(const BlockEstimate& estimate)
         const Radiance variance = pixel.statistics.Variance();
         variances.push_back(std::accumulate(variance.begin(), variance.end(), 0.0));
     }
-    return WindowMeans<settings.neighbourRadius>(variances, estimate.area.width);
+    return WindowMeans<Settings::neighbourRadius>(variances, estimate.area.width);
 }
 
 } // namespace
@@ -81,7 +81,7 @@ bool UpdateForecast(BlockEstimate& estimate, const std::vector<std::size_t>& can
         const PixelEstimate& pixel = estimate.pixels[i];
         return pixel.variance > pixel.target && pixel.residualVarianceRatio * pixel.variance <= pixel.target;
     });
-    if (saved == 0 || saved * samples < settings.forecastCost * settings.blockSide * settings.blockSide)
+    if (saved == 0 || saved * samples < estimate.settings.forecastCost * Settings::blockSide * Settings::blockSide)
         return false;
     const BlockPlane ratios = ForecastRatios(estimate, around, samples, samples == estimate.firstSamples);
     for (const std::size_t i : candidates)

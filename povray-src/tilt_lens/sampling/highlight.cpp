@@ -16,7 +16,7 @@ std::optional<Emitter> HighlightOf(const GlossySphere& sphere, const Vec3& light
     if (!(Length(sphere.centre) > sphere.radius && Length(light - sphere.centre) > sphere.radius && sphere.exponent > 0.0))
         return std::nullopt;
     Vec3 brightest = sphere.centre;
-    for (int i = 0; i <= settings.highlightIterations; i++)
+    for (int i = 0; i <= Settings::highlightIterations; i++)
     {
         const Vec3 bisector = Normalized(light - brightest) - Normalized(brightest);
         if (!(Length(bisector) > 0.0))

@@ -31,16 +31,16 @@ double SquaredSum(const Radiance& light)
 std::vector<double> WeightsOf(const BlockEstimate& estimate, const std::vector<Radiance>& variancesAround)
 {
     std::vector<double> weights(estimate.pixels.size(), 1.0);
-    const auto isBeyond = [](const PixelEstimate& pixel) { return pixel.statistics.Samples() > settings.mostFirstSamples; };
+    const auto isBeyond = [](const PixelEstimate& pixel) { return pixel.statistics.Samples() > Settings::mostFirstSamples; };
     if (std::none_of(estimate.pixels.begin(), estimate.pixels.end(), isBeyond))
         return weights;
     std::vector<Radiance> light;
     for (const PixelEstimate& pixel : estimate.pixels)
         light.push_back(pixel.statistics.Mean());
-    const auto around = WindowMeans<settings.neighbourRadius>(light, estimate.area.width);
+    const auto around = WindowMeans<Settings::neighbourRadius>(light, estimate.area.width);
     for (std::size_t i = 0; i < weights.size(); i++)
     {
-        const double more = std::max(0.0, double(estimate.pixels[i].statistics.Samples()) - settings.mostFirstSamples);
+        const double more = std::max(0.0, double(estimate.pixels[i].statistics.Samples()) - Settings::mostFirstSamples);
         const double variance = std::accumulate(variancesAround[i].begin(), variancesAround[i].end(), 0.0);
         const double hits = more * HitProbability(SquaredSum(around[i]), variance);
         if (hits > 0.0)
@@ -97,7 +97,7 @@ std::vector<double> VariancesToDecide(const BlockEstimate& estimate)
     std::vector<Radiance> own;
     for (const PixelEstimate& pixel : estimate.pixels)
         own.push_back(pixel.statistics.Variance());
-    const auto around = WindowMeans<settings.neighbourRadius>(own, estimate.area.width);
+    const auto around = WindowMeans<Settings::neighbourRadius>(own, estimate.area.width);
     const std::vector<double> weights = WeightsOf(estimate, around);
     for (std::size_t i = 0; i < own.size(); i++)
     {
@@ -124,19 +124,18 @@ void VarianceRatioTerms::Add(const PixelStatistics& pixel)
     squaredIndependent += Square(ofPixel);
 }
 
-double VarianceRatioTerms::Ratio(double before) const
+double VarianceRatioTerms::Ratio(double before, double prior) const
 {
     if (!(squaredIndependent > 0.0))
         return before;
     const double noisyPixels = Square(independent) / squaredIndependent;
-    const double prior = settings.varianceRatioPrior;
     return (noisyPixels * dualBuffer / independent + prior * before) / (noisyPixels + prior);
 }
 
 double RatioOfMean(double dualBufferRatio, double samples, double growth)
 {
     double ratio = std::min(1.0, dualBufferRatio);
-    for (int i = 0; i < settings.ratioIterations && ratio > 0.0; i++)
+    for (int i = 0; i < Settings::ratioIterations && ratio > 0.0; i++)
         ratio = std::min(1.0, dualBufferRatio * (growth - 1.0) / (std::pow(growth, 1.0 - std::log(ratio) / std::log(samples)) - 1.0));
     return ratio;
 }
@@ -157,7 +156,7 @@ void UpdateVarianceRatios(BlockEstimate& estimate, std::uint32_t samples)
     for (std::size_t q = 0; q < ratio.size(); q++)
     {
         double& dualBufferRatio = estimate.dualBufferRatio[q];
-        dualBufferRatio = std::min(1.0, terms[q].Ratio(dualBufferRatio));
+        dualBufferRatio = std::min(1.0, terms[q].Ratio(dualBufferRatio, estimate.settings.varianceRatioPrior));
         ratio[q] = RatioOfMean(dualBufferRatio, std::max(2u, samples), growth);
     }
     for (std::size_t i = 0; i < estimate.pixels.size(); i++)
@@ -173,7 +172,7 @@ std::vector<double> RatiosOrOutliers(const BlockEstimate& estimate)
         VarianceRatioTerms own;
         own.Add(pixel.statistics);
         const double itself = own.independent > 0.0 ? std::min(1.0, own.dualBuffer / own.independent) : 0.0;
-        ratios.push_back(itself > settings.outlyingRatio * pixel.varianceRatio ? itself : pixel.varianceRatio);
+        ratios.push_back(itself > estimate.settings.outlyingRatio * pixel.varianceRatio ? itself : pixel.varianceRatio);
     }
     return ratios;
 }

@@ -73,10 +73,11 @@ struct VarianceRatioTerms
     double squaredIndependent = 0.0;  ///< squares of each pixel's `independent`
 
     void Add(const PixelStatistics& pixel);
-    /// dualBuffer / independent, shrunk towards the prior `before` (settings.varianceRatioPrior).
-    double Ratio(double before) const;
+    /// dualBuffer / independent, shrunk towards the round before.
+    /// @param prior  weight of `before`, in equally noisy pixels
+    double Ratio(double before, double prior) const;
 };
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
 
 #endif

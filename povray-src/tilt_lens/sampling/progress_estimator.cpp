@@ -34,15 +34,15 @@ void ProgressEstimator::Plan(const Area& rendered, bool probing)
 {
     const std::lock_guard<std::mutex> lock(mutex);
     area = rendered;
-    columns = (area.width + settings.blockSide - 1) / settings.blockSide;
-    const std::size_t blocks = std::size_t(columns) * ((area.height + settings.blockSide - 1) / settings.blockSide);
+    columns = (area.width + Settings::blockSide - 1) / Settings::blockSide;
+    const std::size_t blocks = std::size_t(columns) * ((area.height + Settings::blockSide - 1) / Settings::blockSide);
     weights.assign(blocks, 1.0);
     pixels.assign(blocks, 0);
     finished.assign(blocks, 0);
-    for (std::uint32_t y = 0; y < area.height; y += settings.blockSide)
-        for (std::uint32_t x = 0; x < area.width; x += settings.blockSide)
-            pixels[y / settings.blockSide * columns + x / settings.blockSide] = std::min(settings.blockSide, area.width - x) *
-                                                                                std::min(settings.blockSide, area.height - y);
+    for (std::uint32_t y = 0; y < area.height; y += Settings::blockSide)
+        for (std::uint32_t x = 0; x < area.width; x += Settings::blockSide)
+            pixels[y / Settings::blockSide * columns + x / Settings::blockSide] = std::min(Settings::blockSide, area.width - x) *
+                                                                                  std::min(Settings::blockSide, area.height - y);
     given = tried = probing ? 0 : blocks;
     all = double(area.width) * area.height;
     done = 0.0;
@@ -54,8 +54,8 @@ std::optional<ProgressEstimator::Probe> ProgressEstimator::NextProbe()
     if (given == weights.size())
         return {};
     const std::size_t block = given++;
-    const auto middle = [](std::uint32_t from, std::uint32_t end) { return from + std::min(settings.blockSide, end - from) / 2; };
-    const std::uint32_t x = block % columns * settings.blockSide, y = block / columns * settings.blockSide;
+    const auto middle = [](std::uint32_t from, std::uint32_t end) { return from + std::min(Settings::blockSide, end - from) / 2; };
+    const std::uint32_t x = block % columns * Settings::blockSide, y = block / columns * Settings::blockSide;
     return Probe{block, area.left + middle(x, area.width), area.top + middle(y, area.height)};
 }
 
@@ -75,7 +75,7 @@ void ProgressEstimator::Finish(const Area& tile)
         for (std::uint32_t x = tile.left; x < tile.Right(); x++)
             if (area.Has(x, y))
             {
-                const std::size_t block = (y - area.top) / settings.blockSide * columns + (x - area.left) / settings.blockSide;
+                const std::size_t block = (y - area.top) / Settings::blockSide * columns + (x - area.left) / Settings::blockSide;
                 finished[block]++;
                 done += weights[block];
             }

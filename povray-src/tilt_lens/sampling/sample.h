@@ -47,7 +47,7 @@ struct SampleRun
 
     SampleId operator[](std::uint32_t i) const { return {first.x, first.y, first.index + i}; }
     /// The first sample's place in its group.
-    std::uint32_t Place() const { return first.index % settings.cameraRaysOfBatch; }
+    std::uint32_t Place() const { return first.index % Settings::cameraRaysOfBatch; }
 };
 
 /// A run's places, extended to multiples of four for vector registers.
@@ -55,7 +55,7 @@ struct Quads
 {
     explicit Quads(const SampleRun& run) : begin(run.Place() & ~3u), end((run.Place() + run.count + 3) & ~3u) {}
 
-    static_assert(settings.cameraRaysOfBatch % 4 == 0, "whole fours lie within a group");
+    static_assert(Settings::cameraRaysOfBatch % 4 == 0, "whole fours lie within a group");
     const std::uint32_t begin, end;
 
     int Count() const { return int(end - begin); }

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 
-#include "tilt_lens/settings.h"
-
 namespace tilt_lens
 {
 
@@ -36,15 +34,15 @@ void SampleRecord::GetOrTrace(const SampleRun& run, SampleResult* results, const
     for (std::uint32_t i = std::uint32_t(pixel.samples.size()) - run.first.index; i < run.count; i++)
     {
         pixel.samples.push_back({results[i].radiance, results[i].expectedEmission});
-        if (run.first.index + i < settings.mostSentSamples)
+        if (run.first.index + i < mostSent)
             pixel.circles.push_back(results[i].circle);
         samples++;
     }
 }
 
-std::size_t SampleRecord::BytesOf(double samples)
+std::size_t SampleRecord::BytesOf(double samples, std::uint32_t mostSent)
 {
-    return std::size_t(samples * sizeof(Recorded) + std::min<double>(samples, settings.mostSentSamples) * sizeof(CircleOfConfusion));
+    return std::size_t(samples * sizeof(Recorded) + std::min<double>(samples, mostSent) * sizeof(CircleOfConfusion));
 }
 
 } // namespace tilt_lens

@@ -20,7 +20,8 @@ namespace tilt_lens
 class SampleRecord
 {
   public:
-    explicit SampleRecord(const Area& area) : area(area), pixels(area.Size()) {}
+    /// @param mostSent  number of a pixel's samples, its first, that are spread
+    SampleRecord(const Area& area, std::uint32_t mostSent) : area(area), mostSent(mostSent), pixels(area.Size()) {}
 
     /// False, with nothing copied, unless all samples are recorded.
     bool Get(const SampleRun& run, SampleResult* results) const;
@@ -29,7 +30,7 @@ class SampleRecord
 
     std::uint64_t Samples() const { return samples; }
 
-    static std::size_t BytesOf(double samples);
+    static std::size_t BytesOf(double samples, std::uint32_t mostSent);
 
   private:
     struct Recorded
@@ -44,6 +45,7 @@ class SampleRecord
     };
 
     const Area area;
+    const std::uint32_t mostSent;
     std::vector<Pixel> pixels;
     std::uint64_t samples = 0;
 };

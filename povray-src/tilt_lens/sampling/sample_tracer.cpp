@@ -29,8 +29,8 @@ void SampleTracer::Trace(const SampleRun& run, SampleResult* results)
 void SampleTracer::TraceRays(const CameraRays& rays, std::uint32_t place, std::uint32_t index, std::uint32_t count, SampleResult* results)
 {
     const CameraSamples& samples = rays.samples;
-    const bool spreads = camera.spreads && index < settings.mostSentSamples;
-    Hit hits[settings.cameraRaysOfBatch];
+    const bool spreads = camera.spreads && index < camera.limits.settings.mostSentSamples;
+    Hit hits[Settings::cameraRaysOfBatch];
     std::uint32_t begin = 0;
     for (std::uint32_t i = 0; i <= count; i++)
     {

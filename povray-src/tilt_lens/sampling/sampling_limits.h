@@ -17,11 +17,13 @@ namespace tilt_lens
 
 struct SamplingLimits
 {
-    std::uint32_t min = settings.firstSamplesAlone, max = 1024;  ///< samples per pixel, 1 <= min <= max
+    std::uint32_t min = Settings::firstSamplesAlone, max = 1024;  ///< samples per pixel, 1 <= min <= max
     double variance = 1e-4;             ///< of a pixel's value, relative to SquaredScale
     double confidence = 0.9;            ///< probability that the variance is lower, (0, 1)
     bool denoise = false;               ///< filter noise (reconstruction.h)
     double filtered = 1.0;              ///< noise is filtered as if `variance` were at most this
+
+    Settings settings = DefaultSettings();
 
     /// Samples per pixel: min, rounded up to a power of two, at most max.
     std::uint32_t FirstRound() const
@@ -41,12 +43,12 @@ struct SamplingLimits
     }
 
     /// @param aims  true if samples may be aimed at emitters
-    void SetUsualMinimum(bool aims) { min = std::min(max, aims && Denoises() ? settings.firstSamples : settings.firstSamplesAlone); }
+    void SetUsualMinimum(bool aims) { min = std::min(max, aims && Denoises() ? Settings::firstSamples : Settings::firstSamplesAlone); }
 
     /// `variance 0` disables the reconstruction.
     bool Denoises() const { return denoise && variance > 0.0; }
 };
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
 
 #endif

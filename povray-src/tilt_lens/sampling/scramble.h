@@ -18,7 +18,7 @@ namespace tilt_lens
 /// A group's points relative to its first, bits reversed.
 struct GroupTable
 {
-    std::uint32_t value[4][settings.cameraRaysOfBatch];
+    std::uint32_t value[4][Settings::cameraRaysOfBatch];
 };
 
 TILT_LENS_INLINED constexpr std::uint32_t ReverseBits(std::uint32_t x)

@@ -10,7 +10,7 @@ namespace tilt_lens
 
 void SentSamples::Add(const SampleId& id, const SampleResult& result)
 {
-    if (id.index >= settings.mostSentSamples || !ServesOthers(result.circle))
+    if (id.index >= most || !ServesOthers(result.circle))
         return;
     const Radiance& radiance = result.radiance;
     Sample sample{result.circle, {float(radiance[0]), float(radiance[1]), float(radiance[2])}, std::uint32_t(block.IndexOf(id.x, id.y))};
@@ -26,7 +26,7 @@ std::shared_ptr<const SpreadSums> SentSamples::Spread(const std::vector<std::uin
     const auto spread = std::make_shared<SpreadSums>(block, width, height);
     std::vector<std::uint32_t> sent;
     for (const std::uint32_t count : samples)
-        sent.push_back(std::min(count, settings.mostSentSamples));
+        sent.push_back(std::min(count, most));
     std::vector<std::uint32_t> sharp = sent;
     for (const Sample& sample : kept)
     {

@@ -22,7 +22,11 @@ class SentSamples
 {
   public:
     /// @param width, height  whole picture, pixels
-    SentSamples(const Area& block, std::uint32_t width, std::uint32_t height) : block(block), width(width), height(height) {}
+    /// @param most  number of a pixel's samples that serve others, its first
+    SentSamples(const Area& block, std::uint32_t width, std::uint32_t height, std::uint32_t most) :
+        block(block), width(width), height(height), most(most)
+    {
+    }
 
     /// Keeps a sample that is among its pixel's first settings.mostSentSamples and serves other pixels.
     void Add(const SampleId& id, const SampleResult& result);
@@ -43,7 +47,7 @@ class SentSamples
     };
 
     const Area block;
-    const std::uint32_t width, height;
+    const std::uint32_t width, height, most;
     std::vector<Sample> kept;
 };
 

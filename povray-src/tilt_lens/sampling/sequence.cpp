@@ -84,10 +84,10 @@ constexpr DigitTable digitTable = MakeDigitTable();
 
 constexpr GroupTable MakeGroupTable()
 {
-    static_assert(16 % settings.cameraRaysOfBatch == 0, "a group lies within the first digit");
+    static_assert(16 % Settings::cameraRaysOfBatch == 0, "a group lies within the first digit");
     GroupTable table{};
     for (int dim = 0; dim < dimensions; ++dim)
-        for (std::uint32_t i = 0; i < settings.cameraRaysOfBatch; ++i)
+        for (std::uint32_t i = 0; i < Settings::cameraRaysOfBatch; ++i)
             table.value[dim][i] = digitTable.entry[0][i].value[dim];
     return table;
 }
@@ -134,7 +134,7 @@ SequencePoint PixelSampler::operator()(std::uint32_t index) const
 
 void PixelSampler::FindGroup(std::uint32_t index, SequencePoints& points) const
 {
-    kernels->findPoints(SobolPoint(index - index % settings.cameraRaysOfBatch).value, scrambleSeed, groupTable, points);
+    kernels->findPoints(SobolPoint(index - index % Settings::cameraRaysOfBatch).value, scrambleSeed, groupTable, points);
 }
 
 Pair PixelSampler::PaddedPair(std::uint32_t index, std::uint32_t number) const

@@ -38,7 +38,7 @@ struct SequencePoint
 };
 
 /// One number per sample of a group.
-using OfGroup = double[settings.cameraRaysOfBatch];
+using OfGroup = double[Settings::cameraRaysOfBatch];
 
 struct SequencePoints
 {
@@ -93,6 +93,6 @@ class PixelSampler
 /// Different arguments give unrelated values.
 std::uint32_t PixelHash(std::uint32_t x, std::uint32_t y, std::uint32_t seed, std::uint32_t salt);
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
 
 #endif

@@ -11,8 +11,8 @@ void TileSampler::Run(const Area& wanted, const Tracer& trace)
     tile = wanted;
     pixels.assign(tile.Size(), PixelResult());
     std::vector<BlockCache::Place> places;
-    for (std::uint32_t y = tile.top - tile.top % settings.blockSide; y < tile.Bottom(); y += settings.blockSide)
-        for (std::uint32_t x = tile.left - tile.left % settings.blockSide; x < tile.Right(); x += settings.blockSide)
+    for (std::uint32_t y = tile.top - tile.top % Settings::blockSide; y < tile.Bottom(); y += Settings::blockSide)
+        for (std::uint32_t x = tile.left - tile.left % Settings::blockSide; x < tile.Right(); x += Settings::blockSide)
             places.push_back(BlockCache::PlaceOf(x, y));
     cache.Finish(places, trace);
     for (const BlockCache::Place& place : places)

@@ -41,15 +41,15 @@ void RunPilot(TiltLensTracer& tracer, RadiosityFunction& radiosity, bool apart, 
 
 void EstimateWork(TiltLensTracer& tracer)
 {
-    static_assert(tilt_lens::settings.probeSamples <= tilt_lens::settings.cameraRaysOfBatch, "they are one run");
+    static_assert(tilt_lens::Settings::probeSamples <= tilt_lens::Settings::cameraRaysOfBatch, "they are one run");
     const tilt_lens::SamplingLimits& limits = tracer.view->Limits();
-    const unsigned int count = std::min(tilt_lens::settings.probeSamples, limits.max);
+    const unsigned int count = std::min(tilt_lens::Settings::probeSamples, limits.max);
     const RenderStatistics& stats = tracer.Stats();
     const auto raysTraced = [&] { return stats[Number_Of_Rays] + stats[Shadow_Ray_Tests]; };
     while (const auto probe = tracer.view->progress.NextProbe())
     {
         const auto before = raysTraced();
-        tilt_lens::SampleResult results[tilt_lens::settings.probeSamples];
+        tilt_lens::SampleResult results[tilt_lens::Settings::probeSamples];
         tracer.samples.Trace({{probe->x, probe->y, 0}, count}, results);
         std::vector<tilt_lens::Radiance> tried;
         for (unsigned int i = 0; i < count; i++)

@@ -70,7 +70,7 @@ double RadianceOfBackground(const SceneData& scene)
         if (IsInfinite(object))
             brightest = std::max(brightest, LightOf(object->Texture, scene.ambientLight));
     const bool sky = scene.skysphere != NULL || scene.fog != NULL;
-    return sky ? std::max(brightest, tilt_lens::settings.greatestLitRadiance) : brightest;
+    return sky ? std::max(brightest, tilt_lens::Settings::greatestLitRadiance) : brightest;
 }
 
 /// Above this radiance, an object outshines lit surfaces, or the background where nothing is lit. With radiosity all objects light the
@@ -82,9 +82,9 @@ double LeastRadiance(const SceneData& scene)
         for (const LightSource* light : *list)
             lights += BrightestOf(light->colour);
     if (scene.radiositySettings.radiosityEnabled)
-        return tilt_lens::settings.greatestLitRadiance;
-    const double around = lights > 0.0 ? tilt_lens::settings.litShare * lights : RadianceOfBackground(scene);
-    return std::min(around, tilt_lens::settings.greatestLitRadiance);
+        return tilt_lens::Settings::greatestLitRadiance;
+    const double around = lights > 0.0 ? tilt_lens::Settings::litShare * lights : RadianceOfBackground(scene);
+    return std::min(around, tilt_lens::Settings::greatestLitRadiance);
 }
 
 /// Visits the parts of unions in place of these.

@@ -1,19 +1,15 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-#include "variable_settings.h"
+#include "named_settings.h"
 
 #include <map>
 #include <sstream>
 #include <stdexcept>
 #include <variant>
 
-#include "tilt_lens/settings.h"
-
 namespace tilt_lens
 {
-
-Settings settings;
 
 namespace
 {
@@ -31,9 +27,9 @@ const std::map<std::string, Field> fields = {
 
 } // namespace
 
-void Vary(const std::string& text)
+Settings SettingsNamed(const std::string& text)
 {
-    settings = Settings();
+    Settings settings;
     std::istringstream list(text);
     for (std::string item; std::getline(list, item, ',');)
     {
@@ -44,6 +40,7 @@ void Vary(const std::string& text)
         const double value = std::stod(item.substr(equals + 1));
         std::visit([&](auto member) { settings.*member = value; }, field->second);
     }
+    return settings;
 }
 
 } // namespace tilt_lens
