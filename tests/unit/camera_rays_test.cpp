@@ -164,7 +164,6 @@ TEST(CameraRays, MayHaveAnyLength)
     }
 }
 
-/// No ray leads from a point to itself.
 TEST(CameraRays, AreChiefRaysWhereThereIsNoDirection)
 {
     Lens lens = SomeLens();

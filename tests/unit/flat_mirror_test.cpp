@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Images are where reflected rays seem to come from, and none is missing.
-
 #include "tilt_lens/sampling/flat_mirror.h"
 
 #include <cmath>
@@ -45,7 +43,7 @@ struct Path
     Vec3 origin, direction;
 };
 
-/// Index of the first mirror that the ray meets, or the number of mirrors; the ray ends there, reflected.
+/// Index of the first mirror that the ray meets, or the number of mirrors. The ray ends there, reflected.
 std::size_t Reflect(Path& path, const std::vector<FlatMirror>& mirrors, std::size_t before)
 {
     double nearest = std::numeric_limits<double>::infinity();
@@ -133,7 +131,6 @@ TEST(FlatMirror, ComputingIsBounded)
         ASSERT_TRUE(image.centre.z == 9.0 || image.centre.z == -11.0) << "the largest mirror is kept";
 }
 
-/// Rays from random points of the lens, followed through up to two random mirrors.
 TEST(FlatMirror, EveryReflectedRayToALampPointsAtAnImage)
 {
     Random random(7);

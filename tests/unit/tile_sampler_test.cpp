@@ -243,7 +243,7 @@ TEST(TileSamplerReconstruction, NoiseFarBelowTheTargetIsNotFiltered)
     const std::vector<Result> rebuilt = ResultsOf(limits, 8, 0, trace);
     for (std::uint32_t i = 0; i < rebuilt.size(); i++)
     {
-        if (i / settings.blockSide == 4)  // pixels there may have missed the noise beside them
+        if (i / settings.blockSide == 4)  // these may have missed the noise beside them
             continue;
         EXPECT_EQ(rebuilt[i] == plain[i], i / settings.blockSide < 4) << i;
     }
@@ -335,7 +335,7 @@ TEST(SamplingStatistics, AddsUpAndHasQuantiles)
     EXPECT_EQ(huge.Samples(), 1ull << 51);
 }
 
-/// Pixels at a blurred lamp's rim mostly miss it, but must not stay black.
+/// Pixels at the lamp's rim mostly miss it.
 TEST(TileSampler, RimsOfBlurredLampsAreNotTorn)
 {
     constexpr double blur = 12.0, lamp = 3.0, brightness = 0.5, middle = 32.0;
@@ -368,7 +368,7 @@ TEST(TileSampler, RimsOfBlurredLampsAreNotTorn)
     EXPECT_LE(20 * black, rim) << black << " of " << rim;
 }
 
-/// Samples in a block's first round, with so many noisy columns.
+/// Samples in a block's first round.
 std::uint32_t FirstRoundOf(const SamplingLimits& limits, std::uint32_t noisyColumns)
 {
     std::uint32_t most = 0;
