@@ -22,7 +22,7 @@ SURFACES = {
 
 
 def stand_out(picture, width, height):
-    """Pixels with green below 0.7 of the least of eight neighbours, or above 1.4 of the greatest."""
+    """Pixels far darker or brighter than all eight neighbours."""
     green = picture.channel("G")
     found = []
     for y in range(2, height - 2):

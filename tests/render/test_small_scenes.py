@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""In small and large units, shadows equal the plain camera's in moderate units or, beyond stock's range, in the same unit."""
+"""Shadows in small and large units equal the plain camera's, beyond stock's range in the same unit."""
 
 from tests.render import rendering
 
