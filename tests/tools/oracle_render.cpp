@@ -73,7 +73,7 @@ bool Finished(pid_t pid)
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-/// POV-Ray may always read and write in its working folder, so frames are rendered there.
+/// POV-Ray may always write in its working folder, so frames are rendered there.
 class WorkingFolder
 {
   public:
