@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A client of the page's socket, without a browser."""
+"""A client of the page's socket."""
 
 import asyncio
 import contextlib

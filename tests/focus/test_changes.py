@@ -93,7 +93,7 @@ class Changes(PageTest):
         self.until("the other place", lambda: self.drawn() and self.run("return focusPage.model.camera.location[0]") == 0.5)
         self.set_number("tilt", 5)
         self.run("window.clocks = []")
-        # as 1006, the code of a broken connection, which cannot be sent on purpose
+        # imitates 1006, the code of a broken connection, which cannot be sent on purpose
         self.run("const [line] = lines, { onclose } = line; line.onclose = line.onmessage = null; line.close(); onclose({ code: 1006 })")
         self.until("a new line", lambda: self.run("return lines.length > 1 && lines[1].readyState === 1"))
         self.until("the same clock", lambda: self.run("return clocks.includes(0.5)") and self.drawn())

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Numbers at the pointer, the loupe, comparison of two lenses."""
+"""Numbers at the pointer, and the loupe."""
 
 import math
 import re
@@ -22,7 +22,7 @@ const clientX = Math.round(left + (arguments[0] + 0.5) * width), clientY = Math.
 picture.dispatchEvent(new PointerEvent("pointermove", { clientX, clientY, bubbles: true, pointerType: "mouse" }));
 return [(clientX - left) / width - 0.5, 0.5 - (clientY - top) / height];
 """
-# Share of the loupe's pixels that differ from the live picture's by more than 2.
+# Share of the loupe's pixels that differ from the live picture's.
 LOUPE = """
 const [[x, y], scale] = arguments, loupe = document.getElementById("loupe"), side = loupe.width, [width, height] = focusPage.live.size;
 const copy = new OffscreenCanvas(side, side).getContext("2d");
@@ -83,7 +83,6 @@ class Reading(PageTest):
         self.assertEqual(self.console(), [])
 
     def nothing(self):
-        """The numbers where the picture has no surface."""
         return self.browser.execute_async_script(
             """
             const done = arguments[0];
