@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Error measurement of pictures whose errors are known.
+"""Errors are measured correctly in pictures of known errors.
 
 usage: test_noise TOOL"""
 
@@ -67,7 +67,6 @@ class Noise(unittest.TestCase):
         self.assertIn("from there on", self.tool("errors", self.reference(0.5, 0.5), whole, "--at", "17,0", fails=True))
 
     def halves(self, name, left, right):
-        """8 samples in the left half, 32 in the right, standard error 0.2."""
         paths = [self.grey(f"{name}{side}", value, (8, 8)) for side, value in (("l", left), ("r", right))]
         picture = self.folder / f"{name}.exr"
         subprocess.run(["oiiotool", *map(str, paths), "--mosaic", "2x1", "-o", str(picture)], check=True)

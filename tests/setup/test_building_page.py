@@ -7,7 +7,7 @@ import unittest
 
 from tests.setup.scratch import REPOSITORY, SetupTest
 
-# arm64's compiler has another package, and ccache is optional
+# arm64's compiler has another package; ccache is optional
 NOT_FOR_ARM64 = {"g++", "ccache"}
 
 

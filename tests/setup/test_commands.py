@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The two commands up to the build, with a stand-in that prints its arguments."""
+"""The two commands up to the build, with a stand-in."""
 
 import fcntl
 import os
@@ -241,7 +241,6 @@ class CheckCommand(CommandTest):
     SLOW = [f"group.slow{n}" for n in range(23)]
 
     def chosen(self, *arguments, **env):
-        """CTest's options for slow tests."""
         lines = [f"  Test #{n}: {name}" for n, name in enumerate(self.SLOW, 100)]
         listed = "\n".join(["Test project /build", *lines])
         self.tool("ctest", f'[ "$1" = -N ] && {{ echo "{listed}"; exit; }}; shift 3; printf "option %s\\n" "$@"')

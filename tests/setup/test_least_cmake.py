@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The oldest CMake that the build accepts: all files agree, and CMake's manual shows no newer command or option."""
+"""CMake's manual shows no command or option newer than the oldest accepted CMake."""
 
 import json
 import re
@@ -26,7 +26,6 @@ def minimum(name):
 
 
 def sections(help_option):
-    """Texts of CMake's manual by command or variable."""
     text = subprocess.run([CMAKE, help_option], capture_output=True, text=True, check=True).stdout
     parts = re.split(r"^(\w+)\n-{2,}$", text, flags=re.MULTILINE)
     return dict(zip(parts[1::2], parts[2::2]))

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The package for Debian: files, control data, rendering as installed."""
+"""The package for Debian: files, control data, rendering."""
 
 import gzip
 import pathlib
@@ -107,7 +107,6 @@ class Package(SetupTest):
         self.assert_is_the_source(archive)
 
     def assert_is_the_source(self, archive):
-        """Files under version control, and no others."""
         with tarfile.open(archive) as opened:
             held = {name.partition("/")[2] for name in (entry.name for entry in opened if not entry.isdir())}
         self.assertIn("CMakeLists.txt", held)

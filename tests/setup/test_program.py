@@ -89,8 +89,6 @@ class Preview(ProgramTest):
 
 
 class Hardening(SetupTest):
-    """A write past an array ends the program; tables of functions are read-only."""
-
     def said(self, *words):
         return self.run_command("readelf", *words, POVRAY).stdout
 
@@ -103,7 +101,7 @@ class Hardening(SetupTest):
 
 
 class Arithmetic(SetupTest):
-    """No fused multiplication and addition: all processors give the same pixels."""
+    """Without fused multiplication and addition, all processors give the same pixels."""
 
     COMPUTING = re.compile(r" -o CMakeFiles/(?:tilt_lens|povray|povray_core|povray_own|povray_vfe)\.dir/")
 
