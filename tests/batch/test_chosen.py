@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Chosen frames of a film; the status as JSON."""
+"""Chosen frames of a film; JSON status."""
 
 import json
 import os

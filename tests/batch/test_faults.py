@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""After a fault, a second call finishes the picture of a single render."""
+"""After a fault, a second call finishes the picture."""
 
 import os
 import pathlib
@@ -61,7 +61,6 @@ class Killed(BatchTest):
         self.compare()
 
     def beside(self):
-        """Messages of a second call during the first."""
         process, _ = self.begin()
         said = self.batch("still", "scene.pov", "--bands", 4, *SLOW, code=1)
         process.send_signal(signal.SIGINT)

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Pictures from a private Slurm cluster with killed processes equal single renders."""
+"""Pictures from a private Slurm cluster equal single renders."""
 
 import os
 import signal

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The same command again keeps finished work and refuses changes."""
+"""The same command keeps finished work and refuses changes."""
 
 import os
 import shutil

@@ -183,7 +183,7 @@ class Lists(unittest.TestCase):
             begun = time.time()
             before = task.stamps_before(description, folder)
             self.assertEqual(task.check_inputs(description, folder, before, begun), ({}, []))
-            # restored with the old time: only the directory entry shows the change
+            # only the directory entry shows the change
             times = path.stat()
             path.write_text("#declare Own = 2;")
             path.write_text("#declare Own = 1;")

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Installed documentation has no broken links, and groff no warnings."""
+"""Installed documentation has no broken links."""
 
 import argparse
 import pathlib

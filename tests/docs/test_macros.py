@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Lens reports and pictures by the macros of tilt_lens.inc."""
+"""The macros of tilt_lens.inc."""
 
 import math
 import pathlib
@@ -94,13 +94,12 @@ class Macros(rendering.RenderTest):
         self.assert_close(lens.focal[1], 127 * 24 / 36 / 2, 1e-4, "film's distance")
 
     def test_lenses(self):
-        """Each lens of the manual's table warns beyond its limits only."""
         rows = table(ROOT / "docs" / "manual.md", "#### Lenses")
         self.assertEqual(len(rows), 10)
         for macro, _, focal, stop, tilt, shift in rows:
             focal, stop, tilt, shift = (float(text.split()[0].lstrip("f/")) for text in (focal, stop, tilt, shift))
             fit = report(f"{self.VIEW}{macro}(1000, {stop}, {tilt}, 0, <0, {shift}>)")
-            # a frame at the limits may see nothing of the plane of sharp focus, which warns as well
+            # a frame at the limits may miss the plane of sharp focus, which also warns
             self.assertNotRegex(fit.said, r"the real one stops|opens to f/", macro)
             self.assert_close(fit.focal[0], focal, 1e-4, macro)
             self.assert_close(fit.aperture[0], stop, 1e-4, macro)
@@ -172,7 +171,6 @@ class Macros(rendering.RenderTest):
             self.assertLess(lens.off_plane(point), 1e-4, f"{point}\n{lens.said}")
 
     def test_hyperfocal(self):
-        """Depth of field extends from half of that distance to infinity."""
         for factor in (1.001, 0.999):
             lens = report(
                 "location 0 look_at z "
@@ -357,7 +355,6 @@ class Macros(rendering.RenderTest):
         self.assertNotIn("Warning:", report(view, "#declare Tilt_Lens_Sky = z;").said)
 
     def test_facade(self):
-        """All of the rectangle is sharp."""
         corners = "".join(
             f"sphere {{ <{x}, {y}, 3>, 0.3 pigment {{ rgb {colour} }} finish {{ emission 1 }} }}\n"
             for x, y, colour in ((-4, 1, "x"), (12, 1, "y"), (-4, 10, "z"))

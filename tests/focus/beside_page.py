@@ -12,7 +12,7 @@ return ["figures", "other-figures"].map(id => {
 
 class BesidePage(PageTest):
     def open_pair(self, scene=None):
-        """Opens two lenses, A through the three towers; B is shown."""
+        """A passes through the three towers; B is shown."""
         self.open(scene or self.scene())
         self.set_number("fStop", 0.7)
         self.pick_towers()

@@ -78,7 +78,7 @@ async def page_at(address, **options):
 
 class ClientTest(FocusTest):
     def gated(self, text=SCENE):
-        """The parse does not end while the file `closed` exists."""
+        """The parse waits while the file `closed` exists."""
         gate = self.folder / "closed"
         return text + f'#while (file_exists("{gate}")) #end\n', gate
 

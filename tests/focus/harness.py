@@ -63,7 +63,7 @@ TOWERS = ((-0.41, -0.41), (0.28, -0.055), (-0.03, 0.3))  # places in the picture
 SMALL = ("+W160", "+H90")
 
 
-# Knobs that differ from the lens, and the points' distance from the plane of sharp focus.
+# Knobs that differ from the lens, and points off the plane of sharp focus.
 ONE_LENS = """
 const model = focusPage.model, { lens, block } = model, found = model.numbers(), wrong = [];
 const numbers = {
@@ -147,7 +147,6 @@ class FocusTest(WaitingTest):
 
 
 def rendered(scene, folder, size, *words):
-    """{name: rows, columns and colours}."""
     import numpy
 
     found = {}

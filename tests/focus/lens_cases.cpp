@@ -57,7 +57,6 @@ void PrintBlock(std::ostream& out, const Statement& s)
     out << "]}";
 }
 
-/// Some points are coincident or nearly on one line.
 Request WithSharpPoints(const Request& other, Random& random)
 {
     Request request = other;

@@ -26,14 +26,14 @@ SET_CLOCK = (
 )
 CLICKS = 12
 STARTS = 3  # of each scene; the median is reported
-# Milliseconds from a click until its first blurred picture is drawn, and until the browser shows it.
+# Milliseconds from a click until its first blurred picture is drawn and shown.
 TIME_A_CLICK = """
 const done = arguments[2], picture = document.getElementById("picture"), box = picture.getBoundingClientRect(), begun = performance.now();
 picture.dispatchEvent(new MouseEvent("click", { clientX: box.left + (0.5 + arguments[0]) * box.width, clientY: box.top + (0.5 - arguments[1]) * box.height }));
 const shown = drawn => requestAnimationFrame(() => done([drawn, performance.now() - begun]));
 focusPage.nextDrawing().then(() => shown(performance.now() - begun));
 """
-# Frames per second, milliseconds of drawing, and widths while the tilt turns; width at rest.
+# Frames per second, milliseconds of drawing, and widths while the tilt turns.
 TURN = """
 const [seconds, done] = arguments, slider = document.querySelector("#tilt").previousElementSibling, work = [], widths = [];
 const canvas = document.getElementById("picture"), begun = performance.now();
@@ -56,7 +56,6 @@ requestAnimationFrame(step);
 
 class Measure(PageTest):
     def start_times(self, scene, *words):
-        """Seconds to the page, to the first picture through the lens, to the whole preview."""
         begun = time.monotonic()
         self.browser.get(self.start(scene, *words))
         page = time.monotonic() - begun

@@ -28,7 +28,6 @@ class MorePage(PageTest):
         self.press("#hold")
 
     def reported(self, scene, size):
-        """The reported f-number, rows(), and f-number without tilt."""
         command = povray_run.command(SETTINGS.povray, scene, None, size, "+SR1", "+ER1", library=[povray_run.INCLUDE])
         said = povray_run.run(command, self.folder).succeeded().said
         text = re.sub(r"\n (?! )", " ", said)  # what the console has wrapped

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Browser, port and calls of the command ./focus."""
+"""Browser, port and calls of ./focus."""
 
 import socket
 import subprocess

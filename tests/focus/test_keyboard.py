@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Every control is reachable, visibly focused, and works by keys."""
+"""Keys reach, focus and operate every control."""
 
 from selenium.webdriver import ActionChains
 from selenium.webdriver.common.keys import Keys

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Clicks in an exporter's scene make five points sharp at the widest aperture."""
+"""Clicks in an exporter's scene make five points sharp."""
 
 import re
 
@@ -9,7 +9,7 @@ from selenium.webdriver.common.by import By
 from tests.focus import harness
 from tests.focus.more_page import MorePage
 
-# four towers on a floor; the camera is placed by a matrix
+# four towers on a floor; a matrix places the camera
 EXPORTER = (
     """// exported
 #version 3.7;

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Clicks on three points make them sharp in the written scene's render."""
+"""Clicks on three points make them sharp in the written scene."""
 
 from tests.focus import harness
 from tests.focus.harness import SCENE, TOWERS, PageTest

@@ -75,7 +75,7 @@ class Reading(PageTest):
             self.assertAlmostEqual(float(said[1]), found["depth.Z"][row, column] * size / far, delta=0.02 * float(said[1]))
             blur = float(said[2] or 0) * (-1 if said[3] == "behind" else 1)
             self.assertAlmostEqual(blur, found["blur"][row, column], delta=0.1)
-            # one pixel of blur at both limits: (1/T - k.D) times the lens diameter, in pixels
+            # one pixel of blur: (1/T - k.D) times the lens diameter, in pixels
             w, pixels = sum(k * c for k, c in zip(lens["focus"], chief)), lens["diameter"] * SIZE[0] / math.hypot(*lens["right"])
             for limit, wanted in ((said[4], 1), (said[5], -1)):
                 self.assertAlmostEqual((size / float(limit) - w) * pixels, wanted, delta=0.02)

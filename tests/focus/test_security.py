@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Accepted peers, refused requests, and the server's end."""
+"""Accepted peers and refused requests."""
 
 import asyncio
 import http.client

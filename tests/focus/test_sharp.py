@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Blur and f-stop for many points agree with the program's report."""
+"""Blur and f-stop of many points, compared with the report."""
 
 import re
 

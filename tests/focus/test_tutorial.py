@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Three clicks in a tutorial scene leave less than half a pixel of blur."""
+"""Three clicks in tutorial scenes leave less than half a pixel of blur."""
 
 import re
 import shutil

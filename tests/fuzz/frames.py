@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Accepted blocks, rendered as frames, have finite values."""
+"""Frames of accepted blocks have finite values."""
 
 import pathlib
 import re
@@ -67,7 +67,6 @@ def _render_batch(povray, texts):
 
 
 def render(povray, texts):
-    """Returns failed blocks as blocks.tally() does."""
     wrong = []
     for start in range(0, len(texts), BATCH):
         wrong += _render_batch(povray, texts[start : start + BATCH])

@@ -124,7 +124,6 @@ class Grammar:
         )
 
     def value(self, word):
-        """Mostly in a range that makes a lens."""
         r = self.random
         if word in ("tilt", "swing"):
             return self.number(-20, 20)

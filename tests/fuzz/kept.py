@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Kept inputs: corpus/ reaches all known code, regressions/ once failed. prescription.json is in base 64."""
+"""Kept inputs: corpus/ reaches all known code, regressions/ once failed."""
 
 import base64
 import json

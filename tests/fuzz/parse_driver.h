@@ -22,7 +22,7 @@ ParseOutcome Parse(const std::string& scene);
 
 std::string SceneAround(const std::string& block);
 
-/// Forbidden behaviour of the parser; empty if there is none.
+/// Forbidden behaviour of the parser, or empty.
 std::string Complaint(const ParseOutcome& outcome);
 
 #endif

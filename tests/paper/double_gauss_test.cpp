@@ -34,7 +34,6 @@ TEST(GlassLens, SendsTheFocalPointToInfinity)
 
 TEST(GlassLens, HasTheRowsOfALensOf50Millimetres)
 {
-    // a wrong digit would change the focal length
     EXPECT_NEAR(GlassLens(50.0, 8.0).PrintedFocalLength(), 50.0, 0.5);
 }
 

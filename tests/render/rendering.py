@@ -97,8 +97,7 @@ class Job:
 
     def attempt(self, folder, before=(), **how):
         """Exit code and messages. Fails if POV-Ray does not end.
-        @param before words of a command that starts POV-Ray
-        @param how for povray_run.run()"""
+        @param before words of a command that starts POV-Ray"""
         self.write(folder)
         done = povray_run.run([*before, *self.command()], folder, **how)
         if done.code is None:
@@ -119,7 +118,6 @@ class Job:
             raise AssertionError(f"it ended before it could be stopped, exit code {process.returncode}\n{self.told()}{said[-1500:]}")
 
     def run(self, folder):
-        """Returns POV-Ray's messages."""
         code, said = self.attempt(folder)
         if code != 0 or not (folder / f"picture.{self.extension}").is_file():
             raise AssertionError(f"exit code {code}\n{self.told()}{said[-1500:]}")
@@ -164,7 +162,7 @@ class RenderTest(unittest.TestCase):
         self.assertGreater(len(set(a.values)), 8, f"{what}: an empty picture shows nothing\n{a.told}")
 
     def assert_same_in_parts(self, scene, *options, first, last, **size):
-        """The picture is equal for other threads and tiles, and for rows `first` to `last`. Returns it."""
+        """The picture is equal for other threads, tiles, and rows `first` to `last`. Returns it."""
         whole = render(scene, "+WT1", *options, **size)
         self.assert_same(render(scene, "+WT3", "+BS13", *options, **size), whole, "threads")
         part = render(scene, f"+SR{first}", f"+ER{last}", *options, **size)

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A budget is kept, and yields the same pixels with any threads, in parts, and after an interruption."""
+"""A budget is kept, and its pixels are repeatable."""
 
 import pathlib
 import re
@@ -28,7 +28,6 @@ LAMPS = (
 
 
 def numbers(said):
-    """Samples taken and samples of the picture (per pixel), variance, standard error, that of the variance."""
     budget = re.search(r"^ +Budget\.+\S+ samples a pixel, (\S+) taken \((\S+) in vain\)$", said, re.MULTILINE)
     mean = re.search(r"^ +Samples per pixel\.+mean ([\d.]+),", said, re.MULTILINE)
     variance = re.search(r"^ +variance\.+(\S+), chosen for this budget$", said, re.MULTILINE)

@@ -82,7 +82,7 @@ class Distortion(rendering.RenderTest):
             self.assertAlmostEqual(values["depth.Z"], 20, places=4)
 
     def test_near(self):
-        """The coefficient is K1 + NEAR f/D, with the focus at D in units of 100 mm."""
+        """The coefficient is K1 + NEAR f/D, with D in units of 100 mm."""
         film = 18 / HALF  # mm
         for distance in (10, 1.5):
             view = VIEW.replace("look_at <0, 0, 10>", f"look_at <0, 0, {distance}>")
@@ -119,7 +119,7 @@ class Distortion(rendering.RenderTest):
 
 class FieldCurvature(rendering.RenderTest):
     def test_layers_have_the_blur(self):
-        # the plane of sharp focus is at 10; at half a film's width 1/Z grows by sag/s^2
+        # in focus at 10; at half a film's width 1/Z grows by sag/s^2
         at = layers_of(camera("field_curvature 0.3") + "plane { z, 10 pigment { rgb 1 } }\n")
         s = 18 / HALF  # mm
         for x, y in ((0, 23), (63, 24), (31, 23), (31, 0)):

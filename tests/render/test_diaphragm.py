@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Blurred light has the diaphragm's shape: moments equal closed forms."""
+"""Blurred light has the diaphragm's moments."""
 
 import math
 
@@ -22,7 +22,6 @@ def moments(lens, aperture=2.4):
 
 
 def mean_square_radius(blades, curvature):
-    """Curved blades with corners on the unit circle."""
     steps, fourth, second = 4000, 0.0, 0.0
     half, middle = math.sin(math.pi / blades), math.cos(math.pi / blades)
     for i in range(steps):

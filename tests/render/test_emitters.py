@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Small bright lamps reach the requested variance, sharp or blurred."""
+"""Small bright lamps reach the requested variance."""
 
 import re
 

@@ -9,7 +9,7 @@ import tempfile
 
 from tests.render import rendering, scenes
 
-# values outside half's range, and one with more digits than half
+# values beyond half's range or digits
 CAMERA = "camera { orthographic location -z look_at 0 right 4*x up y }\n"
 VALUES = (123456.75, 1e-9, 0.7071067690849304, 1.0)
 SQUARES = CAMERA + "".join(

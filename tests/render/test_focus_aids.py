@@ -175,7 +175,6 @@ class Planes(rendering.RenderTest):
         self.assertGreater(fourth[2] - fourth[0], third[2] - third[0] + 0.02, "then the far limit: blue")
 
     def test_wedge_meets_in_the_hinge(self):
-        """Above the hinge's horizon none is visible, below it all three."""
         scene = (
             "camera { location 0 direction z right x up 0.75*y aperture 1 focal_point <0, 0, 10> "
             "tilt_lens { focus_tilt 80 show_planes } }\n"

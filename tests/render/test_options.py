@@ -19,8 +19,6 @@ def run(scene, *options):
 
 
 class Refused(rendering.RenderTest):
-    """With an aperture, such options made the program wait for ever."""
-
     def check(self, options, message):
         for scene in (scenes.TILTED, STOCK):
             with self.subTest(options=options, stock=scene is STOCK):

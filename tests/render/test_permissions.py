@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Forbidden files are refused with the line, and unchanged."""
+"""Forbidden files are refused and unchanged."""
 
 import os
 import pathlib

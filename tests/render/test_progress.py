@@ -25,7 +25,6 @@ def shown(said):
 
 class Progress(rendering.RenderTest):
     def test_counts_the_work(self):
-        """The sky comes first: half of the pixels, little work."""
         said = rendering.render_and_listen(HALVES, "+WT1", "+BS16", "+V", **SIZE)[1]
         messages = shown(said)
         self.assertGreater(len(messages), 20, said)
@@ -61,7 +60,7 @@ class Progress(rendering.RenderTest):
         self.assertEqual(shown(rendering.render_and_listen(HALVES, "-V", **SIZE)[1]), [])
 
     def test_focus_aids_and_radiosity(self):
-        """Pixels count, as aids take one ray each, and test rays would change radiosity."""
+        """Pixels count: aids take one ray each, and test rays would change radiosity."""
         radiosity = "global_settings { radiosity { count 8 pretrace_start 0.2 pretrace_end 0.1 } }\n"
         for scene in (scenes.camera("focus_map") + scenes.WORLD, radiosity + HALVES):
             messages = shown(rendering.render_and_listen(scene, "+V", "+BS16", "+WT1", **SIZE)[1])

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The report of sharp_points agrees with an independent formula and the picture."""
+"""The report of sharp_points, compared with an independent formula and the picture."""
 
 import itertools
 import math
@@ -29,7 +29,6 @@ def dot(a, b):
 
 
 def in_camera(point):
-    """Right, up and axial coordinates."""
     way = [p - o for p, o in zip(point, LOCATION)]
     return tuple(dot(way, axis) for axis in (RIGHT, UP, AXIS))
 
@@ -57,7 +56,6 @@ def levelled(points):
 
 
 def best_plane(points):
-    """(k, greatest defocus) of the worst set of four."""
     return max((levelled(four) for four in itertools.combinations(points, 4)), key=lambda solved: solved[1])
 
 
@@ -84,7 +82,6 @@ LAMPS = "".join(
 
 
 def reported(said):
-    """(blur in pixels, whether it binds) of each point."""
     text = re.sub(r"\n (?! )", " ", said)  # joins lines that the console has wrapped
     lines = re.findall(r"^    \d\.+<[^>]*>: ([\d.e-]+) pixels \(([\d.e-]+) mm\) (before|behind)(, binds)?", text, re.MULTILINE)
     return [(float(p) * (1 if side == "before" else -1), float(mm), bool(binds)) for p, mm, side, binds in lines]

@@ -17,7 +17,6 @@ def section(title):
 
 
 def braces(word):
-    """Bash's a{b,c}d."""
     inner = re.fullmatch(r"(.*)\{(.*)\}(.*)", word)
     return [inner[1] + part + inner[3] for part in inner[2].split(",")] if inner else [word]
 

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The bundle loads only glibc from outside, contains every licence, and renders from any folder."""
+"""The bundle's libraries and licences, and renders from any folder."""
 
 import os
 import pathlib

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""CMake's manual shows no command or option newer than the oldest accepted CMake."""
+"""CMake's manual shows nothing newer than the oldest accepted CMake."""
 
 import json
 import re
@@ -32,7 +32,7 @@ def sections(help_option):
 
 
 def added(section):
-    """Versions that added words of a SECTION; "": its subject."""
+    """Versions by words of a SECTION; "": its subject."""
     found = {}
     for place in re.finditer(r"^ *\.\. versionadded:: ([0-9.]+)", section, re.MULTILINE):
         above = section[: place.start()].strip().rpartition("\n\n")[2]
@@ -43,7 +43,6 @@ def added(section):
 
 
 def calls(text):
-    """Calls, with the words in capitals among the arguments."""
     text = re.sub(r"#.*", "", text)
     for call in re.finditer(r"\b([a-z_]+)\(((?:\"(?:\\.|[^\"\\])*\"|[^()\"])*)", text):
         yield call[1], re.findall(r"\b[A-Z][A-Z_]+\b", re.sub(r"\"(?:\\.|[^\"\\])*\"", "", call[2]))

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""apt gets the source from imitated mirrors of Debian and derivatives."""
+"""apt gets the source from imitated mirrors."""
 
 import dataclasses
 import email.utils

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Calls refused by on_fresh_debian. Making a system needs root and a mirror."""
+"""Calls refused by on_fresh_debian. Making a system needs root."""
 
 import os
 import unittest

@@ -53,7 +53,6 @@ class Program(ProgramTest):
         self.assertNotIn(str(REPOSITORY), said)
 
     def test_state_files_name_its_sources(self):
-        """Another program's picture must not be continued."""
         sources = sorted((path for ending in ("cpp", "h") for path in (REPOSITORY / "povray-src").rglob(f"*.{ending}")), key=str)
         hashes = "".join(hashlib.sha256(path.read_bytes()).hexdigest() + "\n" for path in sources)
         self.assertIn(b", sources " + hashlib.sha256(hashes.encode()).hexdigest().encode(), POVRAY.read_bytes())

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""File names and signals of ./render with the real program."""
+"""File names and signals of ./render."""
 
 import os
 import pathlib

@@ -187,7 +187,7 @@ TEST(BoxHierarchy, MemoryIsAsDocumented)
         EXPECT_LE(Scene(Boxes(number, number, 10.0, 0.04)).hierarchy.Bytes(), 110u * number);
 }
 
-/// Rounding decides for rays along axes, from faces, edges and corners.
+/// Rounding decides for these rays.
 TEST(BoxHierarchy, FindsBoxesByRaysAlongAxesAndOnFaces)
 {
     std::vector<BoxItem> items;

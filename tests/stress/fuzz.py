@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The long fuzz run of solver, readers, parser and blocks."""
+"""The long fuzz run."""
 
 import os
 import re

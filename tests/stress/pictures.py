@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Constant surroundings, mirrors, moved worlds and noise are correct.
+"""Constant surroundings, mirrors, moved worlds and noise.
 
 A wider frame gives a film point other samples, and so independent pictures.
 """
@@ -69,7 +69,7 @@ def random_lens(r):
 
 
 def furnaces(setup, count, work):
-    """Departure from constant light, under a sky and inside a ball."""
+    """Departure from constant light."""
     r = random.Random(4)
     cases = []
     for i in range(1, count + 1):
@@ -198,7 +198,6 @@ def moved_worlds(setup, count):
 
 
 def noise(setup, most, pictures):
-    """Mean difference of independent pictures, and its slope."""
     rows = []
     samples = 8
     while samples <= most:

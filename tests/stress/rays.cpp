@@ -108,7 +108,7 @@ Errors ErrorsOf(const ReferenceCamera<Exact>& reference, const CameraFrame& came
             narrow ? AsDouble(AngleBetween(truth.direction, direction) / MostByRounding(truth.direction)) : 0.0};
 }
 
-/// Uses the difference of the point of sharp focus and the lens point.
+/// The difference of the point of sharp focus and the lens point.
 Vec3 Obvious(const Lens& lens, double x, double y, double a, double b)
 {
     const Vec3 chief = lens.direction + x * lens.right + y * lens.up;

@@ -33,7 +33,6 @@ SMALL = re.compile(r"pov::Vector3d::|pov_base::Generic\w*Colour<|pov::pov_(?:mal
 
 
 def innermost(stack):
-    """First function of the program."""
     for function, path in FRAME.findall(stack):
         if not path.startswith(LIBRARIES) and not SMALL.match(function):
             return function

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file slow_tasks.cpp
-/// Imitates a busy machine by a slow start, and by sleep after queueing a task and before every second thread's tile. Prints how many
-/// lights the bounding task has copied.
+/// Imitates a busy machine: sleeps at the start, after queueing a task and before every second thread's tile. Prints how many lights the
+/// bounding task has copied.
 
 #include <atomic>
 #include <chrono>

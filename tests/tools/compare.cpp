@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Compares two pictures: prints one JSON object, and exits with a code per kind of failure.
+// Compares two pictures: prints a JSON object, exits with a code per kind of failure.
 
 #include <algorithm>
 #include <cmath>
@@ -169,7 +169,6 @@ void Preview(const Arguments& arguments)
     Conclude(report, true, "");
 }
 
-/// The margins on opposite sides are equal.
 Picture Middle(const Picture& whole, int width, int height)
 {
     const int left = (whole.width - width) / 2, top = (whole.height - height) / 2;

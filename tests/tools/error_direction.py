@@ -49,7 +49,6 @@ def axes_over_diagonals(power):
 
 
 def blocks_over_surroundings(power):
-    """Power at a block's period and overtones over that half-way between."""
     first = SIDE // PERIOD
     lines = numpy.arange(first, SIDE // 2, first)
     slow = abs(FREQUENCY) < LEAST

@@ -65,7 +65,6 @@ void OnDisc(double u, double v, LensPoint& point)
     point.b = radius * std::sin(angle);
 }
 
-/// Area-preserving map.
 void OnPolygon(double u, double v, int blades, double degrees, LensPoint& point)
 {
     const double sector = std::min(std::floor(v * blades), blades - 1.0);

@@ -3,7 +3,7 @@
 """MANIFEST.json lists reference pictures.
 
 The unpatched program makes oracle/NAME.exr from tests/oracle/cases/NAME.json; the fork makes renders/NAME.exr from scenes in
-tests/reference/pictures.json. Only update_references.py writes these."""
+tests/reference/pictures.json."""
 
 import dataclasses
 import json
@@ -20,7 +20,6 @@ SCENE_LIST = ROOT / "tests" / "reference" / "pictures.json"
 
 # with fewer independent pictures, Gaussian limits would fail correct pixels
 BATCHES = 16
-# linear, over all channels
 ORACLE_COMPARISON = {"kind": "limits", "rmse_max": 0.006, "mean_max": 0.0005}
 FIELDS = [
     "file",

@@ -38,7 +38,7 @@ enum class Focus
     ThreePoints
 };
 
-/// World frame, scene units, degrees, millimetres of film.
+/// World frame, scene units, degrees.
 struct CameraGiven
 {
     Vector location, lookAt;
@@ -69,7 +69,7 @@ struct OracleCase
 /// World frame, scene units.
 struct CameraSolved
 {
-    Vector location;              ///< lens centre
+    Vector location;
     Vector direction, right, up;
     Vector focus;                 ///< plane of sharp focus: focus.(X - location) = 1
     Vector lensNormal;            ///< unit, away from the film

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The imaging equation 1/u + 1/v = 1/f in homogeneous coordinates, which include images at infinity, and Scheimpflug's rule. Camera frame:
+// The imaging equation 1/u + 1/v = 1/f in homogeneous coordinates, which include images at infinity; Scheimpflug's rule. Camera frame:
 // lens centre at the origin, x right, y up, z into the scene, film at z = -s.
 
 #include <stdexcept>
@@ -16,7 +16,6 @@ namespace
 
 const double kDegree = std::acos(-1.0) / 180.0;
 
-/// POV-Ray's look_at with the default sky; left-handed.
 struct Basis
 {
     Vector right, up, axis;
@@ -156,7 +155,7 @@ Vector TurnWithLens(const Vector& v, const Vector& t)
 
 Vector Rotated(Vector v, const Vector& degrees)
 {
-    // x, then y, then z, left-handed
+    // POV-Ray's rotations are left-handed
     const double cx = std::cos(degrees.x * kDegree), sx = std::sin(degrees.x * kDegree);
     v = {v.x, cx * v.y - sx * v.z, sx * v.y + cx * v.z};
     const double cy = std::cos(degrees.y * kDegree), sy = std::sin(degrees.y * kDegree);

@@ -33,7 +33,6 @@ std::string Sdl(const Vector& v)
     return out.str();
 }
 
-/// Frames count from 1, both ends included.
 struct Range
 {
     int first, last;

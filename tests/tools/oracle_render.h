@@ -29,7 +29,6 @@ struct RenderSettings
     std::uint32_t seed = 1;
 };
 
-/// One lens point for each frame from `first`.
 std::string AnimationScene(const OracleCase& description, const CameraSolved& camera, const std::vector<LensPoint>& points, int first);
 
 /// @throws std::runtime_error

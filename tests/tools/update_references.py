@@ -81,7 +81,7 @@ def make_oracle(entry, args, work):
 
 
 def make_render(entry, args, work):
-    """Mean of several pictures with different margins, and so different samples."""
+    """Mean of pictures with different margins, and so different samples."""
     if not args.povray:
         raise SystemExit(f"{entry.name}: give --povray")
     files = []

@@ -259,7 +259,7 @@ TEST(ApertureDisc, DirectionsAreKept)
 
 TEST(AperturePolygon, HasItsCornersOnTheUnitCircle)
 {
-    // finds corners among 4 x 10^4 points per side
+    // corners: the outermost of 4 x 10^4 points per side
     for (const Outline& outline : {Outline{3, 0.4}, Outline{5, -2}, Outline{Aperture::maxBlades, 0.001}})
     {
         const Aperture aperture = outline.Make();

@@ -40,7 +40,7 @@ SamplingLimits Denoised(double variance)
     return limits;
 }
 
-/// Light kept by plain means, if one sample in 64 is bright.
+/// Light kept by plain means, with one bright sample in 64.
 double LightKept(float blur)
 {
     const Tracer trace([blur](const SampleId& id, SampleResult& result)

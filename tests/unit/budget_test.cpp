@@ -68,7 +68,7 @@ TEST(NextVariance, ComesNearToTheBudgetAndNeverExceedsIt)
                 }
 }
 
-/// Half of the pixels have the same noise, so they double their samples at the same target.
+/// Half of the pixels have the same noise, so they double their samples together.
 TEST(NextVariance, SeesStepsInTheTrials)
 {
     const Found found = Search(12.0, 1.0, [](double variance) { return 0.5 * (variance < 3e-4 ? 16.0 : 8.0) + 2.0 + 1e-3 / variance; });
@@ -113,7 +113,6 @@ TEST(BestRound, CountsLostSamples)
 
 constexpr std::uint32_t kWidth = 150, kHeight = 120;
 
-/// Noise increases to the right.
 void Picture(const SampleId& id, SampleResult& light)
 {
     Edge(id, light);
@@ -208,7 +207,6 @@ TEST(BudgetPilot, ChoosesTheSameWithManyThreadsAndInterruptions)
     EXPECT_EQ(many.Limits().variance, alone.Limits().variance);
 }
 
-/// The memory suffices for a part of the samples.
 TEST(BudgetPilot, SomeBlocksStandForAll)
 {
     constexpr double budget = 12.0, bytes = 1.9e7;

@@ -108,7 +108,7 @@ TEST(CameraRays, EqualRaysComputedOneByOneWithEmitterSampling)
     ExpectRaysOneByOne(SomeLens(), Aperture::Disc(), {}, {{{0.0, 0.0, 30.0}, 0.05, 1e4}});
 }
 
-/// At the frame's edge, rims block some samples, and some pixels see nothing.
+/// At the frame's edge, rims block some samples.
 TEST(CameraRays, EqualRaysComputedOneByOneWithAGlassLens)
 {
     Statement statement;

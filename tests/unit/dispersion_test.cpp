@@ -47,7 +47,6 @@ TEST(Dispersion, MatchesRealGlasses)
     }
 }
 
-/// Paraxial focus of infinity.
 double FocusOf(const GlassLens& lens)
 {
     GlassRay ray{{1e-3, 0.0, 200.0}, {0.0, 0.0, -1.0}};

@@ -159,7 +159,6 @@ struct Prepared
     }
 };
 
-/// Pixel of the lamp's centre without distortion.
 std::pair<int, int> PixelOf(const Lens& lens, const Emitter& lamp)
 {
     const double scale = lens.direction.z / lamp.centre.z;
@@ -245,7 +244,7 @@ bool LampIsWithin(int pixels, const Lens& lens, const Case& one, std::uint32_t x
     });
 }
 
-/// Blur spreads these lamps over at most 3 pixels; farther away a few samples suffice.
+/// Blur spreads these lamps over at most 3 pixels.
 TEST(EmitterSampling, ReachesEveryPixelThatSeesALamp)
 {
     for (const Case& one : Cases())

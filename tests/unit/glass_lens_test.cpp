@@ -291,7 +291,6 @@ TEST(GlassLens, ReportsTheFateOfARay)
     ray = {{0.0, 0.0, rear - 10.0}, Normalized(Vec3{0.8, 0.0, 1.0})};
     EXPECT_EQ(lens.Trace(ray, stop), Passage::Stopped);
     EXPECT_GT(stop.a, 1.0);
-    // a plane first surface totally reflects steep rays
     Prescription flat;
     flat.rows = {Row(0.0, 30.0, 1.8, 100.0), Row(-20.0, 1.0, 1.0, 38.0), Row(0.0, 0.0, 1.0, 38.0)};
     flat.stop = 2;

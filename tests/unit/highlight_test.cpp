@@ -16,7 +16,7 @@ namespace
 
 constexpr double kLensDiameter = 0.5;
 
-/// Share of a sphere's highlight within the emitter, by even points weighted by their light.
+/// Share of a sphere's highlight within the emitter, by evenly spread points, weighted by light.
 double Covered(const GlossySphere& sphere, const Vec3& light, const Vec3& eye, const Emitter& emitter)
 {
     constexpr int points = 200000;

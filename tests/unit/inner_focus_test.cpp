@@ -17,7 +17,7 @@ namespace tilt_lens
 namespace
 {
 
-/// Thin lenses of 50 and -80 mm, 68 mm apart; the second focuses.
+/// Thin lenses of 50 and -80 mm; the second moves towards the film at 68 mm.
 const char* const kThinGroups = R"({
  "object-distance": ["infinity", 585.714],
  "surfaces": [

@@ -120,7 +120,7 @@ TEST(LensFiles, FormSharpImages)
     }
 }
 
-/// Root mean square radius, micrometres, on the axis at the stated back focus, for the lines d, C, F.
+/// Root mean square radius, micrometres, on the axis at the stated back focus, for d, C, F.
 double SpotOfThreeColours(const Stated& stated)
 {
     const Prescription prescription = ReadPrescription(Whole(stated.file));
@@ -148,8 +148,8 @@ double SpotOfThreeColours(const Stated& stated)
     return 1000.0 * std::sqrt(squares / passed);
 }
 
-/// Source: spot-report.txt of the ray tracer jfotoptix, in the repository BeamFour/Beam42. Lenses with glasses of abnormal dispersion, or
-/// with another focal length or back focus there, are left out.
+/// Source: spot-report.txt of the ray tracer jfotoptix (repository BeamFour/Beam42), except lenses with glasses of abnormal dispersion, or
+/// with another focal length or back focus there.
 TEST(LensFiles, SpotsMatchAnotherProgram)
 {
     const std::map<std::string, double> published = {

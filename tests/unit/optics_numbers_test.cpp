@@ -178,7 +178,7 @@ TEST(PhysicalUnits, ApertureIsTwiceTheDiameterAndScalesWithTheCamera)
     EXPECT_EQ(Length(MakeRay(Solved(request), 0.2, 0.3, 0.7, 0.7).origin), 0.0);
 }
 
-/// Longest extent, pixels, of the blur of a point on the axis.
+/// Longest extent, pixels, of an axial point's blur.
 double BlurInPixels(const Lens& lens, double distance, double width)
 {
     const Vec3 shared = Dot(lens.normal, lens.axis) < 1 - 1e-12 ? Normalized(Cross(lens.axis, lens.normal)) : lens.axisRight;

@@ -131,7 +131,7 @@ TEST(Ray, LensPointThatTouchesItsFilmPointHasADirection)
 
 TEST(Ray, KeepsItsDigitsWhereFocusAndRayAreNearlyParallel)
 {
-    // the plane passes 1e-7 below the lens, nearly parallel to the middle row's rays: k is large, k.D is not
+    // the plane passes 1e-7 below the lens: k is large, k.D is not
     Random random(31);
     for (int i = 0; i < 200; i++)
     {

@@ -3,7 +3,7 @@
 
 /// @file reference_camera.h
 /// An independent camera in any number type, by the thin lens equation and the intersection of chief ray and
-/// plane of sharp focus. It shares no formula with the library.
+/// plane of sharp focus.
 
 #ifndef TILT_LENS_TESTS_REFERENCE_CAMERA_H
 #define TILT_LENS_TESTS_REFERENCE_CAMERA_H

@@ -20,7 +20,6 @@ namespace
 
 constexpr std::uint32_t kWidth = 64, kHeight = 48;
 
-/// A wall across the axis.
 struct Wall : RayTracer
 {
     double distance = 20.0;

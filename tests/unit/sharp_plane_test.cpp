@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sharp_plane_test.cpp
-/// Compares the least greatest blur with brute force over sets of points.
+/// Compares the least greatest blur with brute force.
 
 #include <gtest/gtest.h>
 
@@ -43,7 +43,6 @@ Real Volume(const RealVec& a, const RealVec& b, const RealVec& c)
     return Dot(Cross(a, b), c);
 }
 
-/// Cramer's rule.
 Real DeviationOf(const Equations& e, const std::size_t (&at)[4])
 {
     const RealVec &a = e[at[0]].direction, &b = e[at[1]].direction, &c = e[at[2]].direction, &d = e[at[3]].direction;

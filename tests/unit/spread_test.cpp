@@ -225,7 +225,7 @@ TEST(SpreadSums, AreTheSameWithAllKernels)
     }
 }
 
-/// In 3 by 3 blocks, with squared distance from the pixel's centre as radiance.
+/// Radiance: squared distance from the pixel's centre.
 double MeanSquareDistanceOf(int pixelX, int pixelY, float radius)
 {
     const LensFootprint lens(RoundLens(), Aperture::Disc(), 3.0 * kSide, 3.0 * kSide);
@@ -278,7 +278,6 @@ TEST(SpreadSums, SharpOrNonFiniteSamplesServeTheirOwnPixelAlone)
 }
 
 /// Two samples a pixel, all equally blurred.
-/// @param leftSamples  samples per pixel in the left block
 std::shared_ptr<const PaddedSpread> Received(const LensFootprint& lens, float radius, const std::function<double(int, int, int)>& grey,
                                              int leftSamples = 2)
 {

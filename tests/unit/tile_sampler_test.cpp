@@ -243,7 +243,7 @@ TEST(TileSamplerReconstruction, NoiseFarBelowTheTargetIsNotFiltered)
     const std::vector<Result> rebuilt = ResultsOf(limits, 8, 0, trace);
     for (std::uint32_t i = 0; i < rebuilt.size(); i++)
     {
-        if (i / settings.blockSide == 4)  // these may have missed the noise beside them
+        if (i / settings.blockSide == 4)
             continue;
         EXPECT_EQ(rebuilt[i] == plain[i], i / settings.blockSide < 4) << i;
     }
@@ -368,7 +368,6 @@ TEST(TileSampler, RimsOfBlurredLampsAreNotTorn)
     EXPECT_LE(20 * black, rim) << black << " of " << rim;
 }
 
-/// Samples in a block's first round.
 std::uint32_t FirstRoundOf(const SamplingLimits& limits, std::uint32_t noisyColumns)
 {
     std::uint32_t most = 0;

@@ -22,7 +22,7 @@ struct Picture
     const char* name;
     Tracer trace;
     double (*mean)(std::uint32_t x, std::uint32_t y);
-    double leap = 4.0;  ///< possible undershoot of the last round
+    double leap = 4.0;  ///< factor of possible undershoot in the last round
 };
 
 double Half(std::uint32_t, std::uint32_t)
