@@ -27,7 +27,7 @@ namespace
 // deleted through this base, which sanitizers report
 static_assert(std::has_virtual_destructor<pov_frontend::ShelloutProcessing>::value);
 
-// makes a thread destroy data of the task's thread
+// once set, makes a thread destroy data of the task's thread
 static_assert(std::is_same<decltype(pov::Task::done), std::atomic<bool>>::value);
 
 ParseOutcome* current = nullptr;
