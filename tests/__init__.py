@@ -1,3 +1,3 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Tests, one package for each label of CTest (docs/testing.md)."""
+"""Tests, one package per label of CTest."""

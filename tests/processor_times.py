@@ -28,7 +28,7 @@ def tests(options):
 
 
 def wait_for_orphans():
-    """What a test's children leave behind, such as the browser's processes, becomes a child of ours; only then its time counts."""
+    """Processes that outlive a test become our children, so that their time counts."""
     end = time.monotonic() + 10
     with contextlib.suppress(ChildProcessError):
         while time.monotonic() < end:

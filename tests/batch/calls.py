@@ -42,7 +42,7 @@ plane { y, -1 pigment { checker rgb 0.9, rgb <0.1, 0.3, 0.7> } }
 sphere { 0, 1 pigment { rgbt <0.9, 0.4, 0.1, 0.3> } }
 """
 
-# about two seconds of one core for each of four bands
+# two seconds of one core per band
 SLOW = ("+W192", "+H128", "Declare=Samples=400")
 
 
@@ -128,7 +128,7 @@ class BatchTest(WaitingTest):
         return "\n".join(parts[-4:])
 
     def working_povrays(self, work):
-        """Running POV-Rays of this batch that have written part of a unit."""
+        """POV-Rays that have written part of a unit."""
         found = []
         for pid, words in processes("/bin/povray"):
             with contextlib.suppress(OSError):

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Hanging units, state files that crash POV-Ray, pictures changed later, two batches with the same pictures."""
+"""Hanging units, crashing state files, changed pictures."""
 
 import shlex
 
@@ -31,7 +31,6 @@ class Limits(BatchTest):
 
 class StateFiles(BatchTest):
     def test_state_file_that_crashes_povray_is_dropped(self):
-        # the first try leaves a state file and is killed; a continuation of it crashes
         povray = shlex.quote(SETTINGS.povray)
         header = "POV-Ray Render State File".ljust(512, "x")
         self.stand_in(

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Rendering some frames of a film; the status as JSON; commands afterwards; texts in a sweep."""
+"""Chosen frames of a film; JSON status."""
 
 import json
 import os
@@ -46,7 +46,6 @@ class Longer(BatchTest):
     FILM = ("film", "scene.pov", *SIZE)
 
     def stays(self, *longer):
-        """True if a longer film keeps the first two frames."""
         pictures = [self.folder / "scene_film" / f"scene000{n}.png" for n in (1, 2)]
         times = [path.stat().st_mtime_ns for path in pictures]
         self.assertIn("4 of 4 pictures", self.batch(*self.FILM, *longer))

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Bands joined to a picture equal one render, or are refused if the scene's pixels depend on the rows."""
+"""Joined bands equal one render, or are refused."""
 
 import os
 import time

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""After a fault in mid-render, a second call finishes the picture of a single render."""
+"""After a fault, a second call finishes the picture."""
 
 import os
 import pathlib
@@ -61,7 +61,6 @@ class Killed(BatchTest):
         self.compare()
 
     def beside(self):
-        """Messages of a second call during the first; then the first is ended."""
         process, _ = self.begin()
         said = self.batch("still", "scene.pov", "--bands", 4, *SLOW, code=1)
         process.send_signal(signal.SIGINT)
@@ -113,7 +112,6 @@ class Failing(BatchTest):
         self.assertEqual(sorted(os.listdir(self.folder / "scene_film")), ["scene0001.png", "scene0003.png"])
 
     def test_tries_are_bounded(self):
-        # renders, but is killed in the batch proper
         self.stand_in(f'case $PWD in */units/*) kill -9 $$ ;; esac\nexec {shlex.quote(calls.SETTINGS.povray)} "$@"')
         words = ("still", self.scene(LENS), "--bands", 1, "--retries", 2, "+W48", "+H40")
         self.assertIn("was ended by signal 9", self.batch(*words, code=1))

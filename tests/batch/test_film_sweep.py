@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Films and sweeps equal single calls; the contact sheet; refused command lines."""
+"""Films and sweeps equal single calls."""
 
 from tests.batch import calls
 from tests.batch.calls import LENS, BatchTest, picture

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Layers of bands are joined as pictures are."""
+"""Joined layers of bands."""
 
 import re
 import subprocess

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Hundreds of tiny pictures: the requested number of POV-Rays, and several pictures to a task."""
+"""Many tiny pictures take as many POV-Rays as requested."""
 
 import itertools
 import shlex

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Any file names, relative file names in scenes, read-only folders."""
+"""File names and read-only folders."""
 
 import os
 import pathlib

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""On a private Slurm cluster, a POV-Ray, a task's shell and a node are killed; the pictures equal single renders."""
+"""Pictures from a private Slurm cluster equal single renders."""
 
 import os
 import signal
@@ -49,7 +49,6 @@ class OnSlurm(BatchTest):
         whole = self.whole(scene, self.folder / "w.png", "+FN", *SMALL)
         self.assert_same_with_layers(self.folder / "scene.png", whole)
         self.compare_film_and_sweep()
-        # begun on Slurm, continued with GNU parallel
         (self.folder / "scene_film" / "scene0003.png").unlink()
         self.batch(*self.kinds()["film"])
         self.assert_same(self.folder / "scene_film" / "scene0003.png", self.folder / "whole" / "f3.png")
@@ -162,7 +161,7 @@ def node_of(pid):
 
 
 def main():
-    """The cluster must work without root, so tests run as an ordinary user where possible."""
+    """The cluster must work without root."""
     rest = calls.read_settings()
     user = ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups", "--pdeathsig=KILL"]
     program = module_command("tests.batch.test_on_slurm", "--povray", SETTINGS.povray)

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The lock beside the pictures, without POV-Ray: waiting calls, jobs left behind, time left."""
+"""The lock beside the pictures, without POV-Ray."""
 
 import pathlib
 import tempfile

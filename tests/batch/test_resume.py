@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The same command again keeps finished work and refuses changes."""
+"""The same command keeps finished work and refuses changes."""
 
 import os
 import shutil
@@ -33,7 +33,6 @@ class Again(BatchTest):
         self.batch("still", scene, "--bands", 2, *SIZE)
         whole = self.whole(scene, self.folder / "w.png", "+FN", *SIZE)
         work = self.folder / "scene.png.batch"
-        # a damaged band, and a truncated file beside a foreign state file
         for name in ("00000.0000", "00000.0001"):
             (work / "units" / name).mkdir(exist_ok=True)
         (self.folder / "scene.png").unlink()

@@ -183,7 +183,7 @@ class Lists(unittest.TestCase):
             begun = time.time()
             before = task.stamps_before(description, folder)
             self.assertEqual(task.check_inputs(description, folder, before, begun), ({}, []))
-            # changed and restored with the old time: only the directory entry shows it
+            # only the directory entry shows the change
             times = path.stat()
             path.write_text("#declare Own = 2;")
             path.write_text("#declare Own = 1;")
@@ -253,7 +253,6 @@ class ProgressLine(unittest.TestCase):
     description = {"key": {"bands": [[1, 9]], "pictures": [{"label": f"frame {n}"} for n in range(1, 6)]}}
 
     def told(self, columns, stream):
-        """Output with one picture done, one running, one failed, after ten seconds."""
         clock = unittest.mock.patch.object(time, "monotonic", lambda: 1000.0)
         with tempfile.TemporaryDirectory() as name, contextlib.redirect_stderr(stream), clock:
             work = store.Work(name)

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The ablation's arithmetic; its rules know the numbers of settings.h."""
+"""The ablation's arithmetic and numbers of settings.h."""
 
 import re
 import unittest

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Error measurement of pictures whose errors are known.
+"""Measured errors equal the known ones.
 
 usage: test_noise TOOL"""
 
@@ -43,7 +43,7 @@ class Noise(unittest.TestCase):
         self.assertAlmostEqual(line["mean"], 0.125, places=6)
 
     def test_the_references_own_error_is_taken_off(self):
-        # two pictures that differ by 0.2: the mean has a standard error of 0.1
+        # two pictures that differ by 0.2: their mean has a standard error of 0.1
         (line,) = self.tool("errors", self.reference(0.4, 0.6), self.grey("a", 0.75))
         self.assertAlmostEqual(line["reference_mse"], 0.01, places=5)
         self.assertAlmostEqual(line["mse"], 0.0625 - 0.01, places=5)
@@ -67,7 +67,6 @@ class Noise(unittest.TestCase):
         self.assertIn("from there on", self.tool("errors", self.reference(0.5, 0.5), whole, "--at", "17,0", fails=True))
 
     def halves(self, name, left, right):
-        """8 samples in the left half, 32 in the right, standard error 0.2."""
         paths = [self.grey(f"{name}{side}", value, (8, 8)) for side, value in (("l", left), ("r", right))]
         picture = self.folder / f"{name}.exr"
         subprocess.run(["oiiotool", *map(str, paths), "--mosaic", "2x1", "-o", str(picture)], check=True)
@@ -178,7 +177,6 @@ class Noise(unittest.TestCase):
         lines = self.tool("groups", self.reference(0.5, 0.5), self.mosaic("a", 0.5, 0.75), self.grey("b", 0.75), "--side", 8)
         for line, wanted in zip(lines, ([0.0, 12.0], [12.0, 12.0])):
             self.assertEqual([round(square, 5) for square in line["squares"]], wanted)
-        # at the right edge a group has fewer columns
         (line,) = self.tool("groups", self.reference(0.4, 0.6), self.grey("c", 0.75), "--side", 10)
         for square, pixels in zip(line["squares"], (80, 48)):
             self.assertAlmostEqual(square, 3 * pixels * (0.0625 - 0.01), places=2)

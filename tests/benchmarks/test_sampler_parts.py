@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The benchmark's parts about the sampler, with known results and tiny pictures.
+"""The benchmark's parts about the sampler.
 
 usage: test_sampler_parts PROGRAM TOOLS"""
 
@@ -26,7 +26,6 @@ def errors_of(noisy, sharp, counts=(2, 4, 8)):
 class Allocation(unittest.TestCase):
     def test_groups_get_what_they_need(self):
         points = allocation.ideal(errors_of(8.0, 0.0), [100, 100])
-        # most samples for the first group unless a sample must save much
         self.assertEqual((points[0], points[-1]), ((2.0, 4.0 / 200), ((8 + 2) / 2, 1.0 / 200)))
 
     def test_luck_is_not_taken_for_knowledge(self):

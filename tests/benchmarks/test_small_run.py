@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The benchmark in miniature: all methods of blur approach the same picture. Times are not tested.
+"""In miniature, all methods of blur approach the same picture.
 
 usage: test_small_run PROGRAM TOOLS"""
 
@@ -69,7 +69,6 @@ class SmallRun(unittest.TestCase):
             self.assertGreater(line["ratio"], 0)
 
     def apart(self):
-        """Mean square difference of the tilted and the untilted picture."""
         untilted = self.lab.reference(SCENE.shot(TILT_LENS), *SCENE.reference)
         shot = SCENE.shot(TILT_LENS, 1, declare=suite.limits(256, 256, 0))
         return self.lab.run(self.lab.ours, shot, untilted)["mse"]
@@ -85,7 +84,6 @@ class SmallRun(unittest.TestCase):
             self.assertGreater(wrong[-1]["mse"] - records[-1]["mse"], 0.25 * self.apart(), f"tilted {tilt}")
 
     def test_part_equals_the_part_of_the_whole(self):
-        """A part's error is within its noise."""
         scene = dataclasses.replace(SCENE, part=LARGE)
         whole = self.lab.reference(dataclasses.replace(scene.shot(TILT_LENS), size=(200, 150), part=None), 2, 256)
         cut = whole.with_name("cut.exr")

@@ -80,7 +80,6 @@ def check_example(povray, example, folder, index):
 
 
 def check_output(povray, block, folder):
-    """The same lines in the same order; '...' skips lines."""
     words = shlex.split(block.marker[1])
     name, options = words[0], words[1:]
     if not (folder / name).exists() and not (ROOT / name).exists():
@@ -105,7 +104,6 @@ def check_output(povray, block, folder):
 
 
 def rendered_command(command, names):
-    """Scene and options; None for another command or a placeholder."""
     try:
         words = shlex.split(command)
     except ValueError:

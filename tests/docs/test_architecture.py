@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The #include lines and folders obey docs/architecture.md; one class joins the library to POV-Ray's tracing."""
+"""The #include lines and folders obey docs/architecture.md."""
 
 import collections
 import pathlib

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Manual, manual page and editors have the parser's items, values, units and ranges; Vim colours them."""
+"""Manual, manual page and editors have the parser's items."""
 
 import argparse
 import functools
@@ -232,7 +232,7 @@ class Completion(unittest.TestCase):
 
 @unittest.skipUnless(shutil.which("vim"), "Vim is not installed")
 class Vim(unittest.TestCase):
-    # highlight groups below each line: I item, B the block's word, M macro, E an error, . none of ours
+    # I: item, B: the block's word, M: macro, E: error, .: none
     SCENE = """#declare tilt = 3;
          .
 camera { tilt_lens { tilt tilt focal_plane { y, tilt } swing 2 } angle tilt }

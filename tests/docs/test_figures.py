@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The manual's pictures have their scenes, drawings are the output of their scripts, each lens has its portraits."""
+"""The manual's pictures have their scenes, scripts and portraits."""
 
 import pathlib
 import re

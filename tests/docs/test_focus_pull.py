@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Focus pulls by tilt_lens_pull.inc: the lens reported for each frame."""
+"""Focus pulls by tilt_lens_pull.inc."""
 
 import itertools
 import math
@@ -16,9 +16,9 @@ EYE = "<0, 1.6, -6>"
 POINT = f"focal_point Tilt_Lens_Pull_Point(clock, {EYE}) "
 PULL = f"Tilt_Lens_Pull(clock, {EYE})"
 
-# from an upright plane through infinity to one that leans backward; swing to the left
+# upright, through infinity, leaning backward; swing to the left
 ANGLES = ((0, 2.8, 0, 0, (0, 1, -2)), (0.3, 4, 6, 0, (0, 0, 2)), (0.7, 16, -4, 3, (3, 2, 40)), (1, 5.6, 8, -5, (-1, 0.2, -3)))
-# parallel to the film, then the ground, then a wall on the left
+# parallel to the film; the ground; a wall on the left
 PLANES = (
     (0, 2.8, (0, 0, 0), (0, 2, 0), (1, 0, 0)),
     (0.4, 5.6, (0, 0, 0), (0, 0, 9), (1, 0, 0)),
@@ -47,7 +47,7 @@ def film(before, camera, frames, eye=EYE):
 
 
 def plane(lens, eye=(0, 1.6, -6)):
-    """The plane's normal divided by its distance from the lens; blur is linear in it."""
+    """The normal divided by its distance from the lens; blur is linear in it."""
     distance = sum(n * (p - e) for n, p, e in zip(lens.normal, lens.point, eye))
     return [n / distance for n in lens.normal]
 
@@ -97,7 +97,6 @@ class FocusPull(rendering.RenderTest):
                 self.assertLess(abs(lens.aperture[0] / (2 * 4**weight) - 1), 1e-3, lens.said)
 
     def test_planes_stay_between_the_keys(self):
-        """Each plane lies on the straight line between two keys, and moves in one direction."""
         first, second = ((-1, 0, 0), (-1, 2, 0), (1, 0, 0.5)), ((0, 0, 0), (1, 0, 4), (-2, 0.3, 3))
         lenses = film(keys("Tilt_Lens_Key_Points", ((0, 4, *first), (1, 4, *second))), f"angle 40 tilt_lens {{ {PULL} }}", 26)
         begin, end = plane(lenses[0]), plane(lenses[-1])
@@ -110,7 +109,6 @@ class FocusPull(rendering.RenderTest):
             passed = from_begin
 
     def test_a_moving_camera(self):
-        """Keys are points of the scene, wherever the camera is."""
         eye = "<clock, 1.6, -6 + 2*clock>"
         lenses = film(
             keys("Tilt_Lens_Key_Points", ((0.2, 4, *PLANES[1][2:]), (0.5, 4, *PLANES[2][2:]))),

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Documentation installed by "cmake --install": no broken links, no warnings of groff."""
+"""Installed documentation has no broken links."""
 
 import argparse
 import pathlib
@@ -16,7 +16,7 @@ from tools.docs import pages
 from tools.repository import ROOT
 
 SETTINGS = argparse.Namespace(cmake="cmake", build="build")
-# paths of the source tree, which an installed program lacks
+# paths that an installed program lacks
 NOT_INSTALLED = re.compile(r"(\.\./)?(cmake|tests|experiments|benchmarks|povray-src|patches|tools|reference-images|batch|check|render)\b")
 
 

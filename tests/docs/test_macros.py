@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The macros of tilt_lens.inc: lens report and pictures."""
+"""The macros of tilt_lens.inc."""
 
 import math
 import pathlib
@@ -94,13 +94,12 @@ class Macros(rendering.RenderTest):
         self.assert_close(lens.focal[1], 127 * 24 / 36 / 2, 1e-4, "film's distance")
 
     def test_lenses(self):
-        """Each lens of the manual's table warns beyond its limits only."""
         rows = table(ROOT / "docs" / "manual.md", "#### Lenses")
         self.assertEqual(len(rows), 10)
         for macro, _, focal, stop, tilt, shift in rows:
             focal, stop, tilt, shift = (float(text.split()[0].lstrip("f/")) for text in (focal, stop, tilt, shift))
             fit = report(f"{self.VIEW}{macro}(1000, {stop}, {tilt}, 0, <0, {shift}>)")
-            # at its limits, a frame may see nothing of the plane of sharp focus, which warns as well
+            # a frame at the limits may miss the plane of sharp focus, which also warns
             self.assertNotRegex(fit.said, r"the real one stops|opens to f/", macro)
             self.assert_close(fit.focal[0], focal, 1e-4, macro)
             self.assert_close(fit.aperture[0], stop, 1e-4, macro)
@@ -121,7 +120,6 @@ class Macros(rendering.RenderTest):
                 self.assertIn(words, said, macro)
 
     def test_lenses_of_glass(self):
-        """Each lens of the manual's table, stopped down and wide open."""
         rows = table(ROOT / "docs" / "manual.md", "#### Lenses of glass")
         text = (ROOT / "scenes" / "include" / "tilt_lens.inc").read_text()
         files = {path.name for path in (ROOT / "scenes" / "include" / "lenses").iterdir()} - {"lenses.csv"}
@@ -129,7 +127,7 @@ class Macros(rendering.RenderTest):
         self.assertEqual(len(rows), len(files))
         for macro, _, focal, stop in rows:
             focal, stop = (float(words.split()[0].lstrip("f/")) for words in (focal, stop))
-            # distant focus: nearer, moving groups change the numbers
+            # distant, because moving groups change the numbers nearby
             lens = report(f"{self.VIEW} focal_point <0, -1e5, 6e5> {macro}(1000, 0, 1, 0, <0, 0>)")
             self.assert_close(lens.focal[0], focal, 2e-4, macro)
             self.assert_close(lens.aperture[0], stop, 1e-3, macro)
@@ -152,7 +150,7 @@ class Macros(rendering.RenderTest):
         camera = self.VIEW + "Tilt_Lens_Canon_TS_E_24(1000, 4, 0, 0, <0, 0>) "
         for film, width in (("Full_Frame", 36), ("APS_C", 15.6 * 1.5)):
             lens = report(camera, f"#declare Tilt_Lens_Film = Tilt_Lens_Film_{film}", size=(36, 24))
-            # for a blur of one pixel, which scales with the film's width
+            # blur of one pixel, which scales with the film's width
             blur = lens.aperture[1] * (1 / lens.range[0] - 1 / lens.point_distance((0, 2, -6))) / 1000 * lens.focal[1]
             self.assert_close(blur, width / 36, 1e-3, film)
 
@@ -173,7 +171,6 @@ class Macros(rendering.RenderTest):
             self.assertLess(lens.off_plane(point), 1e-4, f"{point}\n{lens.said}")
 
     def test_hyperfocal(self):
-        """Beyond that distance, depth of field extends from half of it to infinity; nearer, it does not."""
         for factor in (1.001, 0.999):
             lens = report(
                 "location 0 look_at z "
@@ -358,7 +355,6 @@ class Macros(rendering.RenderTest):
         self.assertNotIn("Warning:", report(view, "#declare Tilt_Lens_Sky = z;").said)
 
     def test_facade(self):
-        """All of the rectangle is sharp, from any camera."""
         corners = "".join(
             f"sphere {{ <{x}, {y}, 3>, 0.3 pigment {{ rgb {colour} }} finish {{ emission 1 }} }}\n"
             for x, y, colour in ((-4, 1, "x"), (12, 1, "y"), (-4, 10, "z"))

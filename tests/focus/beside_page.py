@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 from tests.focus.harness import PageTest
 
-# Name, numbers and blurs of both lenses.
 FIGURES = """
 return ["figures", "other-figures"].map(id => {
     const place = document.getElementById(id);
@@ -13,7 +12,7 @@ return ["figures", "other-figures"].map(id => {
 
 class BesidePage(PageTest):
     def open_pair(self, scene=None):
-        """Lens A through the three towers, lens B another; B is shown."""
+        """A passes through the three towers; B is shown."""
         self.open(scene or self.scene())
         self.set_number("fStop", 0.7)
         self.pick_towers()

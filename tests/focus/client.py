@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A client of the page's socket, without a browser."""
+"""A client of the page's socket."""
 
 import asyncio
 import contextlib
@@ -78,7 +78,7 @@ async def page_at(address, **options):
 
 class ClientTest(FocusTest):
     def gated(self, text=SCENE):
-        """The parse does not end while the file `closed` exists."""
+        """The parse waits while the file `closed` exists."""
         gate = self.folder / "closed"
         return text + f'#while (file_exists("{gate}")) #end\n', gate
 

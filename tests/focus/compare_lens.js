@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// Compares the page's lens with cases of lens_cases.cpp. The test runs it in the browser.
+/// Compares the page's lens with cases of lens_cases.cpp.
 
 function compareSharpPoints(lensModule, given, block, lens, number, note) {
     const { width } = given, points = block.sharpPoints, off = (found, wanted) => Math.abs(found - wanted) / wanted;
@@ -17,7 +17,7 @@ function compareSharpPoints(lensModule, given, block, lens, number, note) {
         note("relative", off(without * greatest / stop, given.blurWithoutTilt), `blur without tilt of case ${number}`);
 }
 
-/// @returns the largest differences (blur: pixels; other numbers: relative), and their place
+/// @returns the largest differences (blur: pixels; others: relative), and their place
 export function compareLenses(lensModule, cases) {
     const worst = { pixels: 0, relative: 0, where: "" };
     const note = (kind, value, where) => {
@@ -40,7 +40,7 @@ export function compareLenses(lensModule, cases) {
             const wanted = [given[name]].flat(), size = Math.hypot(...wanted) || 1;
             values.forEach((value, i) => note("relative", Math.abs(value - wanted[i]) / size, `${name} of case ${number}`));
         }
-        // as vergences, because a plane may nearly miss the axis
+        // a plane may nearly miss the axis
         const axisOff = 1 / lensModule.axisFocusOf(lens) - (given.axisFocus === null ? 0 : 1 / given.axisFocus);
         note("relative", Math.abs(axisOff) / Math.hypot(...lens.focus), `axisFocus of case ${number}`);
         for (const [x, y, T, blur, depth] of given.blur) {

@@ -21,7 +21,7 @@ from tools.repository import ROOT
 
 SETTINGS = argparse.Namespace(povray=None, cases=None)
 
-# A floor, three towers of different heights, a wall; no lens.
+# Three towers of different heights on a floor; no lens.
 SCENE = """#version 3.7;
 global_settings { assumed_gamma 1 }
 camera {
@@ -40,7 +40,7 @@ box { <-0.8, 0, 2>, <0.4, 2, 3> pigment { rgb <0.8, 0.8, 0.2> } }
 
 
 def exported_camera(place):
-    """As exporters write it: placed by a matrix."""
+    """Exporters place the camera by a matrix."""
     return f"""camera {{
   location <0, 0, 0>
   look_at <0, 0, -1>
@@ -63,7 +63,7 @@ TOWERS = ((-0.41, -0.41), (0.28, -0.055), (-0.03, 0.3))  # places in the picture
 SMALL = ("+W160", "+H90")
 
 
-# Knobs that differ from the lens, and the points' distance from the plane of sharp focus. An impossible lens keeps the last one.
+# Knobs that differ from the lens, and points off the plane of sharp focus.
 ONE_LENS = """
 const model = focusPage.model, { lens, block } = model, found = model.numbers(), wrong = [];
 const numbers = {
@@ -79,7 +79,7 @@ const wanted = model.picks.length === model.wantedPicks && !model.error ? model.
 return [...wrong, ...wanted.map(p => model.offPlane(p)).filter(off => !(Math.abs(off) < 1e-6)).map(off => `a point is off by ${off}`)];
 """
 
-# Root mean square differences, relative to white, with and without blur.
+# Root mean square differences from the true picture.
 DIFFERENCE = """
 const truth = focusPage.truePixels();
 const rmse = show => {
@@ -135,7 +135,6 @@ class FocusTest(WaitingTest):
         return (self.folder / "errors").read_text(errors="replace")
 
     def end(self, number=signal.SIGINT):
-        """Sends the signal of Ctrl-C."""
         if self.process.poll() is None:
             os.killpg(self.process.pid, number)
         try:
@@ -148,7 +147,6 @@ class FocusTest(WaitingTest):
 
 
 def rendered(scene, folder, size, *words):
-    """{name: rows, columns and, for "colours", red, green, blue}."""
     import numpy
 
     found = {}
@@ -174,7 +172,7 @@ def open_browser(size=(1280, 1000)):
     options.binary_location = "/usr/bin/chromium"
     # its sandbox needs rights that neither root nor a user in a chroot has
     words = ["--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-dev-shm-usage"]
-    # composing the page by WebGL's software, too, takes twice the processor time
+    # composing the page by WebGL's software takes twice the processor time
     words += ["--disable-gpu-compositing", "--hide-scrollbars", f"--window-size={size[0]},{size[1]}"]
     for word in words:
         options.add_argument(word)
@@ -206,7 +204,7 @@ class PageTest(FocusTest):
         return address
 
     def drawn(self):
-        """From then on the picture has one pass; smooth() asks for all of them."""
+        """Afterwards the picture has one pass; smooth() asks for all."""
         script = (
             "const live = window.focusPage?.live; if (!live?.complete || !live.passes) return false; focusPage.patience = 0; return true"
         )
@@ -218,7 +216,6 @@ class PageTest(FocusTest):
         self.run("focusPage.patience = 0")
 
     def one_pass(self):
-        """Colours at full size; blur is not yet smooth."""
         self.smooth(patience=0)
 
     def true_picture(self, width):
@@ -277,7 +274,6 @@ class PageTest(FocusTest):
         return self.run("const m = document.getElementById('message'); return m.hidden ? '' : m.textContent")
 
     def console(self):
-        """Messages except those about software rendering."""
         log = self.browser.get_log("browser")
         return [entry["message"] for entry in log if "GPU stall due to ReadPixels" not in entry["message"]]
 

@@ -57,7 +57,6 @@ void PrintBlock(std::ostream& out, const Statement& s)
     out << "]}";
 }
 
-/// Points from far off the plane of focus to nearly on it, sometimes coincident or nearly on one line.
 Request WithSharpPoints(const Request& other, Random& random)
 {
     Request request = other;

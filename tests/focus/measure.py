@@ -4,7 +4,7 @@
 
 /usr/bin/python3 run_module.py tests.focus.measure --povray build/bin/povray [Measure.make_times]
 
-Times are those of headless Chromium with software rendering; on a busy machine they say little."""
+Times are those of software rendering."""
 
 import os
 import re
@@ -26,14 +26,14 @@ SET_CLOCK = (
 )
 CLICKS = 12
 STARTS = 3  # of each scene; the median is reported
-# Milliseconds from a click until its first blurred picture is drawn, and until the browser's next frame shows it.
+# Milliseconds from a click until its first blurred picture is drawn and shown.
 TIME_A_CLICK = """
 const done = arguments[2], picture = document.getElementById("picture"), box = picture.getBoundingClientRect(), begun = performance.now();
 picture.dispatchEvent(new MouseEvent("click", { clientX: box.left + (0.5 + arguments[0]) * box.width, clientY: box.top + (0.5 - arguments[1]) * box.height }));
 const shown = drawn => requestAnimationFrame(() => done([drawn, performance.now() - begun]));
 focusPage.nextDrawing().then(() => shown(performance.now() - begun));
 """
-# Turns the tilt once per frame of the browser: frames per second, milliseconds of drawing, widths, width at rest.
+# Frames per second, milliseconds of drawing, and widths while the tilt turns.
 TURN = """
 const [seconds, done] = arguments, slider = document.querySelector("#tilt").previousElementSibling, work = [], widths = [];
 const canvas = document.getElementById("picture"), begun = performance.now();
@@ -55,10 +55,7 @@ requestAnimationFrame(step);
 
 
 class Measure(PageTest):
-    """Makes the page's figures; not a test."""
-
     def start_times(self, scene, *words):
-        """Seconds to the page, to the first picture through the lens, to the whole preview."""
         begun = time.monotonic()
         self.browser.get(self.start(scene, *words))
         page = time.monotonic() - begun
@@ -134,7 +131,6 @@ class Measure(PageTest):
         self.pictures()
 
     def clicks(self):
-        """Milliseconds from each click: drawn, shown."""
         self.press("input[name=mode][value=one]")
         found = []
         for i in range(CLICKS):

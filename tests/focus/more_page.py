@@ -18,7 +18,6 @@ class MorePage(PageTest):
         self.assertEqual(len(self.run("return focusPage.model.picks")), len(places))
 
     def rows(self):
-        """(signed blur, whether it binds) of each row."""
         texts = self.run("return [...document.querySelectorAll('#sharp-points li span')].map(e => e.textContent)")
         found = [re.fullmatch(ROW, text) for text in texts]
         self.assertTrue(all(found), texts)
@@ -29,7 +28,6 @@ class MorePage(PageTest):
         self.press("#hold")
 
     def reported(self, scene, size):
-        """From the report: f-number, rows() and the f-number without tilt."""
         command = povray_run.command(SETTINGS.povray, scene, None, size, "+SR1", "+ER1", library=[povray_run.INCLUDE])
         said = povray_run.run(command, self.folder).succeeded().said
         text = re.sub(r"\n (?! )", " ", said)  # what the console has wrapped

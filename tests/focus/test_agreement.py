@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The live picture against the true one, in tutorial scenes."""
+"""The live picture resembles the true one."""
 
 from tests.focus import harness
 from tests.focus.harness import ROOT, PageTest

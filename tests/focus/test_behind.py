@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Where a block cannot be replaced, the new one goes into a second camera behind the first."""
+"""A block that cannot be replaced precedes a second camera."""
 
 from tests.focus import harness
 from tests.focus.harness import SCENE, TOWERS, PageTest

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Two lenses side by side: pictures and figures, and their state after a reload."""
+"""Two lenses side by side."""
 
 from tests.focus import harness
 from tests.focus.beside_page import FIGURES, BesidePage

@@ -5,7 +5,7 @@ from tests.focus.beside_page import BesidePage
 
 BOXES = "return ['stage', 'other-stage'].map(id => document.getElementById(id).getBoundingClientRect().toJSON())"
 OVER = "const { hidden, parentElement, className } = document.getElementById('truth'); return hidden ? '' : parentElement.id + className"
-# Corners that show the scene, not the colour of an empty preview.
+# Corners that show the scene.
 CORNERS = """
 const [width, height] = focusPage.live.size, nothing = [233, 233, 228];
 const corners = [0, width - 1, width * (height - 1), width * height - 1];

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Faulty and changing scenes, and a broken connection."""
+"""Changing scenes, and a broken connection."""
 
 import os
 
@@ -93,7 +93,7 @@ class Changes(PageTest):
         self.until("the other place", lambda: self.drawn() and self.run("return focusPage.model.camera.location[0]") == 0.5)
         self.set_number("tilt", 5)
         self.run("window.clocks = []")
-        # as 1006, the code of a broken connection, which cannot be sent on purpose
+        # 1006 is the code of a broken connection, which cannot be sent on purpose
         self.run("const [line] = lines, { onclose } = line; line.onclose = line.onmessage = null; line.close(); onclose({ code: 1006 })")
         self.until("a new line", lambda: self.run("return lines.length > 1 && lines[1].readyState === 1"))
         self.until("the same clock", lambda: self.run("return clocks.includes(0.5)") and self.drawn())

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The command ./focus: its browser, port, wrong calls, options of animations."""
+"""Browser, port and calls of ./focus."""
 
 import socket
 import subprocess
@@ -14,7 +14,6 @@ from tools import povray_run
 
 class Command(harness.FocusTest):
     def stand_in(self):
-        """(starter, record of the address)."""
         script, opened = self.folder / "browser", self.folder / "opened"
         script.write_text(f'#!/bin/sh\necho "$1" >> "{opened}"\n')
         script.chmod(0o755)
@@ -78,7 +77,6 @@ class Animation(PageTest):
         self.choose("clock", 24)
         self.until("the moved scene", lambda: abs(self.run("return focusPage.previewSum()") - at_start) > 10)
         self.end()
-        # the same moment of the scene without an animation
         self.open(scene, *SMALL, "+K4")
         self.assertEqual(self.run(clock), [0, 4, 4])
         self.assertAlmostEqual(self.run("return focusPage.previewSum()"), at_start, delta=abs(at_start) * 0.002)

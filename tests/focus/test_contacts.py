@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Neither the page nor the program contacts another host."""
+"""Neither page nor program contacts another host."""
 
 import re
 

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Dragged and moved points, directions, the copied text, another width."""
+"""Dragged points, directions, copied text, another width."""
 
 import re
 

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""By keys alone: every control is reachable, visibly focused, and works."""
+"""Keys reach, focus and operate every control."""
 
 from selenium.webdriver import ActionChains
 from selenium.webdriver.common.keys import Keys
@@ -10,7 +10,6 @@ from tests.focus.harness import PageTest
 
 MOST_STOPS = 80  # for one way through the page
 
-# All visible and enabled controls; of radio buttons the chosen one.
 WANTED = """
 const name = e => e.id || e.name || e.textContent;
 return [...document.querySelectorAll("button, input, select, a[href], [tabindex]")]

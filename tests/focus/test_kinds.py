@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Scenes with several cameras, a clock, a lens of their own."""
+"""Scenes with several cameras, a clock, or a lens."""
 
 from tests.focus import harness
 from tests.focus.harness import SCENE, PageTest

@@ -5,14 +5,14 @@ from tests.focus.harness import PageTest
 
 SMALLEST = 24  # pixels: least size of a touch target (WCAG 2.2, target size)
 
-# The least side of all touch targets, labels included.
+# Least side of touch targets, labels included.
 TARGETS = """
 return [...document.querySelectorAll("button, select, a[href], input[inputmode], .switch label")].filter(e => e.checkVisibility()).map(e => {
     const box = e.getBoundingClientRect();
     return [Math.min(box.width, box.height), e.id || e.textContent];
 });
 """
-# The least contrast of text (WCAG 2.2), and its place.
+# Least contrast of text (WCAG 2.2).
 CONTRAST = """
 const rgb = text => text.match(/[\\d.]+/g).map(Number);
 const luminance = c => c.slice(0, 3).map(v => v / 255).map(v => v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4)

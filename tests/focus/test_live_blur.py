@@ -14,7 +14,7 @@ camera {
   angle 30
 }
 """
-# one bright spot on either side of the plane of sharp focus, on black
+# one spot on either side of the plane of sharp focus
 SPOTS = (
     VIEW
     + """\

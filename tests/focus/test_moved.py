@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The page's text makes its lens in transformed cameras."""
+"""The page's lens in transformed cameras."""
 
 from tests.focus import harness
 from tests.focus.harness import EXPORTED, SCENE, TOWERS, PageTest
@@ -8,7 +8,6 @@ from tests.focus.harness import EXPORTED, SCENE, TOWERS, PageTest
 SIZE = (160, 90)
 FROM_HERE = "return String(focusPage.live.location) === String(focusPage.model.camera.location)"
 
-# The same camera by other transformations.
 CAMERAS = """#include "transforms.inc"
 #macro Taken_Back(P) vtransform(P, transform { Move inverse }) #end
 #macro Turned_Back(V) (Taken_Back(V) - Taken_Back(<0, 0, 0>)) #end

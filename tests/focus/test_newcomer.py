@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""By clicks alone, from an exporter's scene to one in which five points are sharp at the widest aperture."""
+"""Clicks in an exporter's scene make five points sharp."""
 
 import re
 
@@ -9,7 +9,7 @@ from selenium.webdriver.common.by import By
 from tests.focus import harness
 from tests.focus.more_page import MorePage
 
-# placed by a matrix: four towers on a floor
+# four towers on a floor; a matrix places the camera
 EXPORTER = (
     """// exported
 #version 3.7;
@@ -25,7 +25,7 @@ box { <-0.8, -1.8, 0>, <-0.2, -1.2, 0.9>  pigment { rgb <0.9, 0.8, 0.3> } }
 box { <0.2, 1.2, 0>, <0.8, 1.8, 1.8>  pigment { rgb <0.3, 0.4, 0.8> } }
 """
 )
-# of the towers' tops and the floor, and their heights
+# places and heights of the towers' tops and the floor
 PLACES = {(-0.156, -0.192): 0.6, (0.184, -0.022): 1.4, (-0.154, 0.108): 0.9, (0.141, 0.346): 1.8, (0, 0.01): 0}
 SIZE = (320, 180)
 WITHIN = 1  # pixels: what the page proposes
@@ -56,12 +56,10 @@ class Newcomer(MorePage):
         written = scene.read_text()
         blur, stop = self.greatest(scene)
         self.assertLessEqual(blur, WITHIN + 0.005)
-        # the picture itself: at the places, and beside them
         layer = abs(harness.rendered(scene, self.folder, SIZE, "+N")["blur"])
         for x, y in PLACES:
             self.assertLess(layer[int((0.5 - y) * SIZE[1]), int((x + 0.5) * SIZE[0])], WITHIN + 0.1)
         self.assertGreater(layer.max(), 2 * WITHIN, "nothing is blurred")
-        # the next wider f-stop fails
         wider, count = re.subn(r"sharp_within \S+", f"f_stop {stop / STEP:.6f}", written)
         self.assertEqual(count, 1)
         blur, _ = self.greatest(self.scene(wider, "wider.pov"))

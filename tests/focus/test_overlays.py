@@ -8,7 +8,6 @@ from tools.focus.picture import display
 
 NEAR, MIDDLE, FAR = (-0.41, -0.41), (0.28, -0.055), (-0.03, 0.3)  # on the fronts of the three towers
 
-# overlay of the page -> the same focus aid
 AIDS = {"peaking": "focus_peaking rgb <1, 0.05, 0.35>", "map": "focus_map", "planes": "show_planes"}
 
 PIXELS = """
@@ -31,13 +30,11 @@ return { ...found, meet: meet && [Number(meet.getAttribute("cx")), Number(meet.g
 
 
 def off_line(line, point):
-    """The line is infinite."""
     x1, y1, x2, y2 = line
     return abs((x2 - x1) * (point[1] - y1) - (y2 - y1) * (point[0] - x1)) / math.hypot(x2 - x1, y2 - y1)
 
 
 def angle(line):
-    """Direction in degrees from 0 to 180."""
     x1, y1, x2, y2 = line
     return math.degrees(math.atan2(y1 - y2, x2 - x1)) % 180
 
@@ -83,7 +80,6 @@ class Colours(OverlaysPage):
         plain, planes = self.pixels([NEAR, FAR]), self.pixels([NEAR, FAR], planes=True)
         self.assertEqual(plain[0], planes[0])
         self.assertNotEqual(plain[1], planes[1])
-        # orange, white, then blue limit: more blue than before
         self.assertGreater(planes[1][2], plain[1][2] + 40)
         # a plane laid through the floor leaves the sky unchanged
         self.set_number("focusTilt", 80)

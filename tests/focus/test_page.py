@@ -1,12 +1,12 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Click three points, write the block, render: these points are sharp."""
+"""Clicks on three points make them sharp in the written scene."""
 
 from tests.focus import harness
 from tests.focus.harness import SCENE, TOWERS, PageTest
 
 
-# Distances in a pixel of the next preview and in another, before and after it ends; the same for a scene parsed anew.
+# Distances in a pixel of the next preview and in another, before and after its end.
 FIND_WHILE_PREVIEW_ARRIVES = """
 const done = arguments[0], frame = focusPage.model.lens, { location } = focusPage.model.camera, size = [4, 4];
 const newBlur = () => ({

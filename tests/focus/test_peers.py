@@ -209,7 +209,6 @@ class Names(ClientTest):
         self.assertIn("Wrong", error)
 
     def test_files_elsewhere(self):
-        """Such files are permitted, as for ./render."""
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             (pathlib.Path(name) / "other.inc").write_text("sphere { 0, 1 }\n")
             scene = self.scene(SCENE + f'#include "{name}/other.inc"\n')

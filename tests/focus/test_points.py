@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Adding, moving and removing points, and their limits."""
+"""Adding, moving and removing points."""
 
 from tests.focus import harness
 from tests.focus.more_page import PLACES, MorePage

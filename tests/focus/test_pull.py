@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Focus pulls: marked lenses, the film, and the text that makes it."""
+"""Focus pulls: marked lenses, film, and text."""
 
 import json
 

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Numbers at the pointer, the loupe, comparison of two lenses."""
+"""Numbers at the pointer, and the loupe."""
 
 import math
 import re
@@ -22,7 +22,7 @@ const clientX = Math.round(left + (arguments[0] + 0.5) * width), clientY = Math.
 picture.dispatchEvent(new PointerEvent("pointermove", { clientX, clientY, bubbles: true, pointerType: "mouse" }));
 return [(clientX - left) / width - 0.5, 0.5 - (clientY - top) / height];
 """
-# Share of the loupe's pixels that differ from the live picture's by more than 2.
+# Share of the loupe's pixels that differ from the live picture's.
 LOUPE = """
 const [[x, y], scale] = arguments, loupe = document.getElementById("loupe"), side = loupe.width, [width, height] = focusPage.live.size;
 const copy = new OffscreenCanvas(side, side).getContext("2d");
@@ -75,7 +75,7 @@ class Reading(PageTest):
             self.assertAlmostEqual(float(said[1]), found["depth.Z"][row, column] * size / far, delta=0.02 * float(said[1]))
             blur = float(said[2] or 0) * (-1 if said[3] == "behind" else 1)
             self.assertAlmostEqual(blur, found["blur"][row, column], delta=0.1)
-            # one pixel of blur at both limits: (1/T - k.D) times the lens diameter, in pixels
+            # one pixel of blur: (1/T - k.D) times the lens diameter, in pixels
             w, pixels = sum(k * c for k, c in zip(lens["focus"], chief)), lens["diameter"] * SIZE[0] / math.hypot(*lens["right"])
             for limit, wanted in ((said[4], 1), (said[5], -1)):
                 self.assertAlmostEqual((size / float(limit) - w) * pixels, wanted, delta=0.02)
@@ -83,7 +83,6 @@ class Reading(PageTest):
         self.assertEqual(self.console(), [])
 
     def nothing(self):
-        """The numbers where the picture has no surface."""
         return self.browser.execute_async_script(
             """
             const done = arguments[0];

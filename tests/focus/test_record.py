@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""TILT_LENS_PREVIEW: cameras are recorded, a pinhole is rendered."""
+"""TILT_LENS_PREVIEW records cameras and renders a pinhole."""
 
 import json
 import os

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Writing into the scene's file: concurrent changes, protection, owners, links, line endings."""
+"""Writing into the scene's file."""
 
 import asyncio
 import os

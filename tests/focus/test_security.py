@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The page's server: accepted peers, refused requests, its end."""
+"""Accepted peers and refused requests."""
 
 import asyncio
 import http.client
@@ -16,7 +16,7 @@ from tests.focus.harness import SMALL
 
 class Security(ClientTest):
     def ask(self, address, path=None, method="GET", **headers):
-        """The path is sent unchanged."""
+        """http.client sends the path unchanged."""
         parts = urllib.parse.urlsplit(address)
         connection = http.client.HTTPConnection(parts.hostname, parts.port, timeout=20)
         self.addCleanup(connection.close)

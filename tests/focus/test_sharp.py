@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The blur of many points, which of them bind, and the f-stop that holds them, against the program's report."""
+"""Blur and f-stop of many points, compared with the report."""
 
 import re
 
@@ -11,7 +11,7 @@ from tests.focus.more_page import PLACES, WITHIN, MorePage
 
 class Sharp(MorePage):
     def written(self, scene):
-        """Copies, which tries the block, and writes it."""
+        """Copying tries the block, and writes it."""
         self.press("#copy")
         self.until("the trial", lambda: "tried" in self.text("file-said"))
         self.assertIn("tried there, it makes this lens", self.text("file-said"))

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A true picture of another lens is marked, also on a page that connects later."""
+"""A true picture of another lens is marked."""
 
 from tests.focus import harness
 from tests.focus.harness import SCENE, PageTest

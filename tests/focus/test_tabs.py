@@ -36,7 +36,6 @@ class Tabs(ClientTest):
                 self.assertIsNone((await one.told("picture", "done"))["lens"]["clock"], "all pages see the picture")
                 await one.render()
                 self.assertEqual((await one.told("picture", "done"))["lens"]["clock"], 0.5)
-                # a change of the file shows each its own clock
                 scene.write_text(TWO + "sphere { 0, 0.1 }\n")
                 times = [(await page.told("scene"))["clock"] for page in (one, two)]
                 self.assertEqual(times, [0.5, None])
@@ -90,7 +89,6 @@ class Tabs(ClientTest):
         asyncio.run(use())
 
     def test_pages_that_show_the_same_share_a_render(self):
-        """While the scene itself cannot be read."""
         text, gate = self.gated()
         address = self.start(self.scene(text), *WORDS)
 
@@ -124,7 +122,6 @@ class Reload(PageTest):
         self.until("the other place again", lambda: self.drawn() and self.run(at) == 0.5)
         self.assertAlmostEqual(self.run("return focusPage.model.numbers().tilt"), 3)
         self.assertEqual(self.text("clock-value"), "0.5")
-        # a still camera: only the picture tells the time
         self.end()
         address = self.open(self.scene(SCENE + "sphere { clock, 0.1 }\n", "still.pov"))
         self.true_picture(160)

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Parts of ./focus without a page: scenes, messages, options, the include file's lenses."""
+"""Parts of ./focus without a page."""
 
 import pathlib
 import re

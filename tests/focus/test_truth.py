@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The true picture: it grows, is wiped, stopped, and saved."""
+"""The true picture: growth, end and saving."""
 
 import os
 import pathlib

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""In each tutorial scene, three clicks yield a block with less than half a pixel of blur there."""
+"""Three clicks in tutorial scenes leave less than half a pixel of blur."""
 
 import re
 import shutil
@@ -12,11 +12,9 @@ SCENES = sorted((ROOT / "scenes" / "tutorial").glob("*.pov"))
 QUICK = ("three_points",)  # the others take too long for each run of the tests
 SIZE = (480, 270)
 PLACES = ((-0.28, -0.36), (0.31, -0.27), (0.02, 0.01), (-0.2, -0.05), (0.1, -0.42))
-# scenes whose block is not replaced, and why
 NOT_WRITTEN = {"aperture": "directives", "macros": "macro"}
 UNITS = {"shift": 50}  # millimetres in a unit of a scene that is too large for blur
 
-# columns and rows of the preview
 PICKED = """
 return [...document.querySelectorAll("#points button")].map(point =>
     [point.style.left, point.style.top].map((part, i) => Math.floor(parseFloat(part) / 100 * focusPage.live.size[i])));

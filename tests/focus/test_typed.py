@@ -1,13 +1,12 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Typed numbers, early clicks, and the remarks on both."""
+"""Typed numbers, early clicks, and remarks."""
 
 from selenium.webdriver.common.keys import Keys
 
 from tests.focus import harness
 from tests.focus.harness import PageTest
 
-# the picked focus, and the focus that the complete preview proposes
 EARLY_CLICK = """
 const done = arguments[0];
 import(new URL("page/model.js", document.location)).then(({ Model }) => {

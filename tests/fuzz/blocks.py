@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Sends the grammar's blocks through POV-Ray's parser, many in one process."""
+"""Sends the grammar's blocks through POV-Ray's parser."""
 
 import collections
 import dataclasses

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Accepted blocks, rendered as frames of an animation, have finite values."""
+"""Frames of accepted blocks have finite values."""
 
 import pathlib
 import re
@@ -21,7 +21,7 @@ CAMERA = "camera {{ location <0.4, 1.5, -4> look_at <0, 0.5, 0.5> angle 45 apert
 
 
 def _animate(povray, folder, first, last):
-    # one frame more: a single one would be no animation
+    # a single frame would be no animation
     command = povray_run.command(
         povray, "scene.pov", "frame.exr", (8, 6), "+FE", "+WT1", "+KFI1", f"+KFF{last + 1}", f"+SF{first}", f"+EF{last}", "-C"
     )
@@ -46,7 +46,6 @@ def _not_finite(pictures):
 
 
 def _render_batch(povray, texts):
-    """(text of the block, message) of each failure."""
     wrong = []
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         folder = pathlib.Path(name)
@@ -68,7 +67,6 @@ def _render_batch(povray, texts):
 
 
 def render(povray, texts):
-    """Returns failed blocks as blocks.tally() does."""
     wrong = []
     for start in range(0, len(texts), BATCH):
         wrong += _render_batch(povray, texts[start : start + BATCH])

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""tilt_lens blocks from a grammar, valid and broken, reproducible by seed."""
+"""Valid and broken tilt_lens blocks, reproducible by seed."""
 
 import random
 
@@ -124,7 +124,6 @@ class Grammar:
         )
 
     def value(self, word):
-        """Mostly in a range that makes a lens."""
         r = self.random
         if word in ("tilt", "swing"):
             return self.number(-20, 20)

@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Kept inputs: corpus/ reaches all code reached so far, regressions/ once failed. Each has solver.json and may have prescription.json (base
-64), and parser.json (texts)."""
+"""Kept inputs: corpus/ reaches all known code, regressions/ once failed."""
 
 import base64
 import json
@@ -36,7 +35,6 @@ def unpack(name, folder):
 
 
 def minimise(name, program, found):
-    """The fewest inputs that reach the same code."""
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as folder:
         subprocess.run(
             [str(program), "-set_cover_merge=1", folder, str(found)], capture_output=True, check=True, env={**WITHOUT_LEAKS, **os.environ}

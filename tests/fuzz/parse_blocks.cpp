@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file parse_blocks.cpp
-/// Parses blocks from standard input, each ended by a zero byte. Prints one line per block: `lens`, `none`, `error WORDS` or `wrong
-/// WORDS`. `--items` prints the parser's table as JSON; an infinite limit is null.
+/// Parses blocks from standard input, each ended by a zero byte. Prints `lens`, `none`, `error WORDS` or `wrong WORDS` for each.
+/// `--items` prints the parser's table as JSON; an infinite limit is null.
 
 #include <cstring>
 #include <iostream>

@@ -27,7 +27,7 @@ namespace
 // deleted through this base, which sanitizers report
 static_assert(std::has_virtual_destructor<pov_frontend::ShelloutProcessing>::value);
 
-// set, it makes a thread destroy data of the task's thread
+// once set, makes a thread destroy data of the task's thread
 static_assert(std::is_same<decltype(pov::Task::done), std::atomic<bool>>::value);
 
 ParseOutcome* current = nullptr;
@@ -70,7 +70,6 @@ class Finish
     bool done = false;
 };
 
-/// Rays through corners and centre of the frame, from centre and rim of the lens.
 std::string BrokenRay(const tilt_lens::Lens& lens)
 {
     for (double x : {-0.5, 0.0, 0.5})
@@ -88,7 +87,7 @@ std::string BrokenRay(const tilt_lens::Lens& lens)
 
 } // namespace
 
-// the linker redirects these four functions here (--wrap); the scene is the only file
+// --wrap redirects these functions
 int Send(POVMSContext, POVMSObjectPtr message, POVMSObjectPtr, int) __asm__("__wrap__Z10POVMS_SendPvP9POVMSDataS1_i");
 pov_base::UCS2String FindFile(pov::SceneData*, POVMSContext, const pov_base::UCS2String&, unsigned int) __asm__(
     "__wrap__ZN3pov9SceneData8FindFileEPvRKNSt7__cxx1112basic_stringItSt11char_traitsItESaItEEEj");

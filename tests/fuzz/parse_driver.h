@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file parse_driver.h
-/// POV-Ray's parser as a function from text to outcome, without files or messages.
+/// POV-Ray's parser from text to outcome, without files or messages.
 
 #ifndef TILT_LENS_TESTS_PARSE_DRIVER_H
 #define TILT_LENS_TESTS_PARSE_DRIVER_H
@@ -22,7 +22,7 @@ ParseOutcome Parse(const std::string& scene);
 
 std::string SceneAround(const std::string& block);
 
-/// Forbidden behaviour of the parser; empty if there is none.
+/// Forbidden behaviour of the parser, or empty.
 std::string Complaint(const ParseOutcome& outcome);
 
 #endif

@@ -13,7 +13,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-    // refuses upstream's parts: infinite loops, files, other parsers
+    // refuses upstream's infinite loops, files, other parsers
     if (size > 2000)
         return -1;
     for (std::size_t i = 0; i < size; i++)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file prescription_fuzz.cpp
-/// libFuzzer's target for readers of prescriptions, which must give a lens that can be focused, or an error that names a line.
+/// libFuzzer's target for prescriptions, which give a lens that can be focused, or an error that names a line.
 
 #include <algorithm>
 #include <cstdint>

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""First inputs of libFuzzer: cameras for solver_fuzz, with fields in the order of its StatementFrom(), and files for prescription_fuzz."""
+"""First inputs of libFuzzer: files, and cameras with fields in the order of solver_fuzz's StatementFrom()."""
 
 import shutil
 import struct
@@ -20,7 +20,7 @@ def seeds():
                 flags = family | 4 * focal_length | 8 * f_stop
                 head = ([50.0] if focal_length else []) + [2.8 if f_stop else 0.1]
                 turns = [6.0, -3.0]
-                # planeNormal or the first point; focalPoint or the second; the third; distance, shift
+                # planeNormal or first point; focalPoint or second; third; distance, shift
                 rest = [0.1, 1.0, 0.3, 1.0, 0.5, 3.0, 0.2, 0.1, 9.0, 0.4, 2.0, -1.0]
                 made.append(camera(flags, head + turns + rest, 7))
     made.append(

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The short fuzz run of ./check: tests.fuzz.short solver|prescription|blocks|frames|regressions."""
+"""The short fuzz run: tests.fuzz.short solver|prescription|blocks|frames|regressions."""
 
 import argparse
 import pathlib

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file solver_fuzz.cpp
-/// libFuzzer's target for the solver, with the numbers of a camera and a statement. The result must be finite rays with a direction, or an
-/// error in words.
+/// libFuzzer's target for the solver. The result must be finite rays with a direction, or an error.
 
 #include <cstdint>
 #include <cstdio>
@@ -20,7 +19,6 @@ namespace
 
 using namespace tilt_lens;
 
-/// Bytes after the end are zero.
 class Bytes
 {
   public:
@@ -93,7 +91,6 @@ Statement StatementFrom(Bytes& bytes, unsigned flags)
     return s;
 }
 
-/// Uses a lens as report and render do.
 void Use(const Lens& lens, const Statement& s, std::uint32_t seed)
 {
     for (const std::string& warning : Warnings(lens, s))

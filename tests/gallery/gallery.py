@@ -56,7 +56,6 @@ def plain(text):
 
 
 def check_blocks(page):
-    """Each excerpt must occur in the scene whose command precedes it."""
     faults = []
     for block in re.finditer(r"^```\n(.*?)^```$", page, re.MULTILINE | re.DOTALL):
         names = re.findall(r"\./render scenes/gallery/(\w+)\.pov", page[: block.start()])

@@ -59,7 +59,7 @@ TEST(LensPoints, DiscHasTheMomentsOfADisc)
     EXPECT_NEAR(ab, 0.0, 1e-3);
 }
 
-/// Second moment of a regular N-gon on the unit circle: (1 + 2 cos^2(pi/N)) / 12 for each axis.
+/// Second moment of a regular N-gon on the unit circle: (1 + 2 cos^2(pi/N)) / 12 per axis.
 TEST(LensPoints, PolygonIsFilledEvenly)
 {
     const double pi = std::acos(-1.0);

@@ -31,7 +31,6 @@ CameraGiven AlongZ(Focus focus, double turnUp, double turnRight)
     return given;
 }
 
-/// Pinhole ray of lens point (a, b) and film point (x, y), in the plane of sharp focus.
 Vector Crossing(const CameraSolved& camera, double a, double b, double x, double y)
 {
     const Vector l = a * camera.lensX + b * camera.lensY;

@@ -34,7 +34,6 @@ TEST(GlassLens, SendsTheFocalPointToInfinity)
 
 TEST(GlassLens, HasTheRowsOfALensOf50Millimetres)
 {
-    // a wrong digit would change the file's focal length
     EXPECT_NEAR(GlassLens(50.0, 8.0).PrintedFocalLength(), 50.0, 0.5);
 }
 
@@ -48,7 +47,7 @@ TEST(GlassLens, HasItsFocalLength)
 
 TEST(GlassLens, PassesItsPrincipalPointsUnbent)
 {
-    // towards H' (where the pupil is), out of H, in one direction
+    // towards H', out of H, in one direction
     const GlassLens lens(50.0, 8.0);
     ASSERT_NEAR(lens.ExitPupil(), -lens.Separation(), 0.05);
     ASSERT_NEAR(lens.EntrancePupil(), 0.0, 0.05);

@@ -27,7 +27,7 @@ SIZE = (42, 28)
 RMSE, MEAN = 0.006, 0.0005
 # least RMSE of a wrong lens; the wrong sign of the tilt gives 0.11
 WRONG, WRONG_SIZE, WRONG_SAMPLES = 0.1, (60, 40), 512
-# the first element's movement (mm of its file), and the tilt; the wrong lens is focused at infinity
+# first element's movement (mm), and tilt; the wrong lens is focused at infinity
 MOVED, MOVED_TILT = 2.0, 4
 
 
@@ -85,7 +85,6 @@ def traced_picture(tool, folder, tilt, stop, moved=0.0, size=SIZE, samples=None)
 
 
 def differences(picture, even, traced):
-    """Root mean square and mean, after division by the even surface."""
     squares = mean = 0.0
     for name in "RGB":
         for own, level, other in zip(picture.channel(name), even.channel(name), traced.channel(name)):

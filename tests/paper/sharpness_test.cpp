@@ -15,7 +15,7 @@ namespace
 using paper::Point;
 using witness::Picture;
 
-/// A turned checker board on a grid `finer` times as fine: each pixel is a mean over its square and a disc, by random points.
+/// A turned checker board: each pixel is the mean over its square and a disc, by random points.
 Picture Checkers(double diameter, int finer = 1)
 {
     std::mt19937 random(7);

@@ -6,19 +6,18 @@
     camera { @view tilt_lens { tilt 90 } }      // <<
     --- error: part of the message | another part
 
-"<<" in a comment marks the line that the message must name. Below the scene stand lines that begin with "---", in this order:
+"<<" in a comment marks the message's line. Below the scene stand, in this order:
 
     --- file NAME           further lines, up to the next "---", are a file that the scene includes
     --- options +A +K0.5    further options of POV-Ray
-    --- error: PARTS        one error, with these parts (separated by " | ") in this order, at the mark
+    --- error: PARTS        one error with these parts (separated by " | ") in this order, at the mark
     --- warning: PARTS      a warning at the mark; may stand several times
     --- says: PARTS         the message stream has these parts in this order
     --- ok                  no error, and no warning
 
 At least one of the last four must stand; other messages are faults.
 
-Every scene begins with a line with #version 3.7 and an object, unless it has a #version of its own.
-"@view" stands for a location and look_at.
+HEAD begins each scene without a #version; "@view" stands for VIEW.
 """
 
 import dataclasses
@@ -31,7 +30,7 @@ MARK = "<<"
 
 
 class BadCase(Exception):
-    """An error in the file of cases itself."""
+    """An error in the file of cases."""
 
 
 @dataclasses.dataclass

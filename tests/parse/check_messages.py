@@ -23,7 +23,6 @@ PLACELESS = re.compile(KIND)
 
 
 def messages_of(text):
-    """(kind, file, line, text) of each message."""
     found = []
     for line in PLACE.sub(r"File '\1' line \2: ", re.sub(r"\n (?=\S)", " ", text)).split("\n"):
         match = MESSAGE.match(line)

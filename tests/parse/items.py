@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The parser's own table of items, printed by `parse_blocks`."""
+"""The parser's table of items, printed by `parse_blocks`."""
 
 import dataclasses
 import json

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Each number is taken at the ends of its range, and refused beyond them by a message that states the range."""
+"""Numbers are taken up to the ends of their range."""
 
 import argparse
 import math

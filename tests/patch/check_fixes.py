@@ -48,7 +48,6 @@ def touched(patch):
 
 
 def to_compile(names, tree):
-    """Sources that show whether these files compile."""
     sources = set()
     for name in names:
         path = tree / name

@@ -15,18 +15,18 @@ import re
 import subprocess
 import sys
 
-# Folders in the order of the series. Fixes need no other patch; -DSPEEDUPS=OFF leaves out the last folder.
+# Folders in the order of the series; -DSPEEDUPS=OFF leaves out the last.
 FOLDERS = ("fixes", "camera", "output", "speedups")
 
 REQUIRED_FIELDS = ("Description", "Author", "Origin", "Forwarded", "Last-Update", "Hooks", "Tests")
 
-# A larger patch gives its reason in the header field "Size-Reason", up to a second limit.
+# "Size-Reason" permits a larger patch, up to a second limit.
 LINE_BUDGET = 40
 LINE_BUDGET_WITH_REASON = 80
-# A fix must be complete to be sent: longer code is a file that it adds.
+# A fix must be complete, so a file that it adds may be longer.
 NEW_FILE_BUDGET = 250
 
-# words of a description's first sentence, the reason
+# words of a description's first sentence
 SENTENCE_BUDGET = 32
 
 
@@ -44,7 +44,7 @@ def listed_patches(folder):
 
 
 def header_fields(text):
-    """DEP-3 fields before the first file, continued lines joined."""
+    """DEP-3 fields before the first file."""
     fields = {}
     current = None
     for line in text.splitlines():
@@ -152,7 +152,7 @@ def check_style(folder):
 
 
 def check_tests(folder, build):
-    """Headers name existing tests of CTest; * for any letters."""
+    """A star stands for any letters."""
     listed = subprocess.run(["ctest", "-N"], cwd=build, stdout=subprocess.PIPE, text=True, check=True).stdout
     known = re.findall(r"^ *Test +#\d+: (\S+)", listed, re.MULTILINE)
     for name, text in listed_patches(folder):

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Every kind of failure, with a stand-in for the program that renders."""
+"""Every kind of failure, with a stand-in for POV-Ray."""
 
 import os
 import pathlib

@@ -48,7 +48,7 @@ class Picture:
 
 
 def read_pixels(path):
-    """Width, height, type, names of the channels, stored values."""
+    """Width, height, type, channel names, stored values."""
     head, data = povray_run.pixels(SETTINGS.compare, path).split(b"\n", 1)
     width, height, _, form, *names = head.decode().split()
     return int(width), int(height), form, names, data
@@ -96,9 +96,8 @@ class Job:
         return povray_run.start(self.command(), folder)
 
     def attempt(self, folder, before=(), **how):
-        """Exit code and messages, even of a refusal. Fails if POV-Ray does not end.
-        @param before words of a command that starts POV-Ray
-        @param how for povray_run.run()"""
+        """Exit code and messages. Fails if POV-Ray does not end.
+        @param before words of a command that starts POV-Ray"""
         self.write(folder)
         done = povray_run.run([*before, *self.command()], folder, **how)
         if done.code is None:
@@ -119,7 +118,6 @@ class Job:
             raise AssertionError(f"it ended before it could be stopped, exit code {process.returncode}\n{self.told()}{said[-1500:]}")
 
     def run(self, folder):
-        """Returns POV-Ray's messages. Fails without a picture."""
         code, said = self.attempt(folder)
         if code != 0 or not (folder / f"picture.{self.extension}").is_file():
             raise AssertionError(f"exit code {code}\n{self.told()}{said[-1500:]}")
@@ -164,7 +162,7 @@ class RenderTest(unittest.TestCase):
         self.assertGreater(len(set(a.values)), 8, f"{what}: an empty picture shows nothing\n{a.told}")
 
     def assert_same_in_parts(self, scene, *options, first, last, **size):
-        """The picture is equal for one thread and several, other tiles, and rows `first` to `last`. Returns it."""
+        """The picture is equal for other threads, tiles, and rows `first` to `last`. Returns it."""
         whole = render(scene, "+WT1", *options, **size)
         self.assert_same(render(scene, "+WT3", "+BS13", *options, **size), whole, "threads")
         part = render(scene, f"+SR{first}", f"+ER{last}", *options, **size)

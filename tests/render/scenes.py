@@ -16,7 +16,7 @@ def camera(lens="tilt 4 swing 2 shift <2, -1> blades 5, 10", aperture=0.3, sampl
 
 
 def unknown_glow(red, green, blue):
-    """A texture of this radiance in which nothing looks for lamps: colours of a pattern count as white."""
+    """A texture in which no lamp is sought: colours of a pattern count as white."""
     colour = f"rgb 1000*<{red:.6g}, {green:.6g}, {blue:.6g}>"
     return (
         f"texture {{ pigment {{ gradient x color_map {{ [0 {colour}] [1 {colour}] }} }} finish {{ ambient 0 diffuse 0 emission 0.001 }} }}"

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""One point of an area light per ray gives the soft shadows of the whole grid."""
+"""One point of an area light per ray gives soft shadows."""
 
 import re
 

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A band of a huge picture takes memory for the band's layers alone."""
+"""Memory for a band of a huge picture."""
 
 import pathlib
 import tempfile

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A budget is kept, and the same pixels come from it on any number of threads, in any part of the picture, and after an interruption."""
+"""A budget is kept, and its pixels are repeatable."""
 
 import pathlib
 import re
@@ -28,7 +28,6 @@ LAMPS = (
 
 
 def numbers(said):
-    """Numbers of the report: samples a pixel that were taken in all, samples of the picture, variance, standard error, that of the variance."""
     budget = re.search(r"^ +Budget\.+\S+ samples a pixel, (\S+) taken \((\S+) in vain\)$", said, re.MULTILINE)
     mean = re.search(r"^ +Samples per pixel\.+mean ([\d.]+),", said, re.MULTILINE)
     variance = re.search(r"^ +variance\.+(\S+), chosen for this budget$", said, re.MULTILINE)
@@ -40,8 +39,6 @@ def numbers(said):
 
 
 class Kept(rendering.RenderTest):
-    """At most the budget, and at least 0.85 of it."""
-
     def check(self, budget, text):
         _, said = rendering.render_and_listen(text, "+WT2", width=200, height=130)
         taken, mean, variance, error, target = numbers(said)
@@ -83,7 +80,7 @@ class Same(rendering.RenderTest):
         self.assertNotEqual(rendering.render(scene(10), **SIZE).values, self.whole.values)
 
     def test_continued(self):
-        large = {"width": 160, "height": 120}  # so that the signal comes in time
+        large = {"width": 160, "height": 120}  # the signal comes in time
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             folder = pathlib.Path(name)
             rendering.Job(self.text, ("+WT1", "+BS8"), **large).stop(folder, signal.SIGKILL, 8000)  # a few finished tiles
@@ -93,7 +90,6 @@ class Same(rendering.RenderTest):
         self.assertIn("done before the render was continued", said)
 
     def test_the_variance_alone_gives_the_same_samples(self):
-        """A picture with the chosen variance has about the same samples: the budget does nothing else."""
         _, said = rendering.render_and_listen(self.text, **SIZE)
         taken, mean, variance, error, _ = numbers(said)
         self.assertLessEqual(taken, 8, "a small picture, of which the trials are a large part")

@@ -29,7 +29,7 @@ def declared(camera, tail=""):
 
 
 def moved_world(tail):
-    """Objects glow, because POV-Ray's shadows and reflections have absolute tolerances."""
+    """Objects glow: POV-Ray's shadows and reflections have absolute tolerances."""
     return (
         "#default { finish { ambient 1 diffuse 0 } }\nunion {\n"
         "  plane { y, 0 pigment { checker rgb <0.9, 0.8, 0.7> rgb <0.1, 0.3, 0.5> } }\n"

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Aberrations as rendered, compared with the laws in docs/manual.md."""
+"""Rendered aberrations obey the laws in docs/manual.md."""
 
 import math
 import pathlib
@@ -26,7 +26,6 @@ def camera(items, aperture=0.5, samples=SAMPLES):
 
 
 def place(x, y):
-    """In half widths of the film, from the centre: right, up."""
     return 2 * (x + 0.5) / WIDTH - 1, (HEIGHT - 2 * (y + 0.5)) / WIDTH
 
 
@@ -63,7 +62,7 @@ class Vignetting(rendering.RenderTest):
         for x, y in ((0, 0), (63, 47), (63, 20), (31, 23)):
             half = 0.5 * math.hypot(*place(x, y)) / corner  # half the distance of two unit circles
             shared = 2 / math.pi * (math.acos(half) - half * math.sqrt(1 - half * half))
-            # focused at 10, the rim's shadow is slightly larger than the aperture
+            # the focus at 10 makes the rim's shadow slightly larger than the aperture
             self.assertAlmostEqual(picture.pixel(x, y)[0] / 0.5, shared, delta=0.04)
         for x, y in ((0, 0), (5, 40)):
             self.assertAlmostEqual(picture.pixel(x, y)[0], picture.pixel(WIDTH - 1 - x, HEIGHT - 1 - y)[0], delta=0.002)
@@ -83,7 +82,7 @@ class Distortion(rendering.RenderTest):
             self.assertAlmostEqual(values["depth.Z"], 20, places=4)
 
     def test_near(self):
-        """With the focus at D, in units of 100 mm, the coefficient is K1 + NEAR f/D."""
+        """The coefficient is K1 + NEAR f/D, with D in units of 100 mm."""
         film = 18 / HALF  # mm
         for distance in (10, 1.5):
             view = VIEW.replace("look_at <0, 0, 10>", f"look_at <0, 0, {distance}>")
@@ -120,7 +119,7 @@ class Distortion(rendering.RenderTest):
 
 class FieldCurvature(rendering.RenderTest):
     def test_layers_have_the_blur(self):
-        # plane of sharp focus: 10; at half a film's width 1/Z grows by sag/s^2
+        # in focus at 10; at half a film's width 1/Z grows by sag/s^2
         at = layers_of(camera("field_curvature 0.3") + "plane { z, 10 pigment { rgb 1 } }\n")
         s = 18 / HALF  # mm
         for x, y in ((0, 23), (63, 24), (31, 23), (31, 0)):

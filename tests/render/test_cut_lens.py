@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Half of the lens sees water or glass, which first samples seldom show."""
+"""Half of the lens sees water or glass."""
 
 from tests.render import rendering
 
@@ -22,7 +22,6 @@ SURFACES = {
 
 
 def stand_out(picture, width, height):
-    """Pixels with green below 0.7 of the least of eight neighbours, or above 1.4 of the greatest."""
     green = picture.channel("G")
     found = []
     for y in range(2, height - 2):

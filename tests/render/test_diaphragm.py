@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Blurred light has the shape of the diaphragm: moments agree with closed forms."""
+"""Blurred light has the diaphragm's moments."""
 
 import math
 
@@ -22,7 +22,6 @@ def moments(lens, aperture=2.4):
 
 
 def mean_square_radius(blades, curvature):
-    """Curved blades with corners on the unit circle, integrated over the angle."""
     steps, fourth, second = 4000, 0.0, 0.0
     half, middle = math.sin(math.pi / blades), math.cos(math.pi / blades)
     for i in range(steps):
@@ -40,7 +39,7 @@ def mean_square_radius(blades, curvature):
 
 class Diaphragm(rendering.RenderTest):
     def test_squeeze(self):
-        # size of pixels and light, shown by a tiny lens
+        # a tiny lens shows the size of pixels and light
         _, dot_x, dot_y = moments("", 0.0001)
         light, x, y = moments("")
         for lens, ratio in (("", 2), ("", 0.5), ("tilt 8 ", 2), ("swing 8 shift <2, 1> ", 1.5)):

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Small lamps far brighter than white reach the requested variance, sharp or blurred."""
+"""Small bright lamps reach the requested variance."""
 
 import re
 
@@ -33,7 +33,7 @@ def scene(samples, glow=GLOW, lens="focus_tilt 20 scene_unit 100"):
 
 
 def clipped_error(picture, truth):
-    """Error as displayed, and the share of pixels off by more than 2 sqrt(1e-4)."""
+    """Error as displayed; share of pixels off by more than 2 sqrt(1e-4)."""
     channels = len(picture.names)
     errors = [(min(1.0, a) - min(1.0, b)) ** 2 for a, b in zip(picture.values, truth.values)]
     pixels = [max(errors[i : i + channels]) for i in range(0, len(errors), channels)]
@@ -103,7 +103,7 @@ class Mirrors(rendering.RenderTest):
         return int(found.group(1)) if found else None
 
     def test_lamps_in_flat_mirrors_are_known(self):
-        """At as many rays, unknown lamps have more error."""
+        """Unknown lamps have more error from as many rays."""
         samples, small = "blur_samples 64, 64 variance 1/1000 ", {"width": 24, "height": 18, "extension": "exr"}
         for mirror in MIRRORS:
             with self.subTest(mirror):
@@ -124,7 +124,7 @@ class Mirrors(rendering.RenderTest):
 
 class Highlights(rendering.RenderTest):
     def test_highlights_of_spheres_are_known(self):
-        """At as many rays, ellipsoids that are spheres, whose highlights are unknown, have more error."""
+        """Ellipsoids of a sphere's shape have unknown highlights."""
         for finish in ("specular 3 roughness 0.0005", "phong 2 phong_size 400"):
             with self.subTest(finish):
 

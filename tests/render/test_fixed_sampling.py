@@ -1,15 +1,13 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""In random scenes, the default settings have no more error than fixed sampling with as many rays in each pixel. Lamps of random radiance,
-size and blur are known to the program, or hidden in a pattern's colours, or shown by a mirror.
+"""In random scenes, the default settings have no more error than fixed sampling with as many rays.
 
-fixed_sampling.py --povray PROGRAM --compare TOOL [--scenes COUNT] [--seeds COUNT] [--scene NUMBER | --show NUMBER]
+test_fixed_sampling.py --povray PROGRAM --compare TOOL [--scenes COUNT] [--seeds COUNT] [--scene NUMBER | --show NUMBER]
 
-*The comparison.* Pictures d and f share their first samples; R is an independent unbiased reference, whose noise mostly cancels in the sum
-of (d - R)^2 - (f - R)^2. The excess is this sum over that of (d - R)^2 + (f - R)^2, and above zero where the default is worse.
-
-*The margin.* The standard error of the mean excess follows from the seeds and from R's noise. A scene fails above Student's quantile times
-that. For equal errors, any scene fails with probability one in a hundred (Sidak)."""
+Pictures d and f share their first samples; R is an independent unbiased reference, whose noise mostly cancels in the sum of
+(d - R)^2 - (f - R)^2. The excess is this sum over that of (d - R)^2 + (f - R)^2: positive if the default is worse.
+The margin is Student's quantile times the standard error from the seeds and from R's noise. For equal errors, any scene fails with
+probability 1 % (Sidak)."""
 
 import argparse
 import concurrent.futures
@@ -91,7 +89,6 @@ class Reference:
         return statistics.fmean((a - b) ** 2 - noise for a, b, noise in zip(self.shown(values), self.truth, self.noise))
 
     def excess(self, values, others):
-        """Difference of two errors over their sum, and its variance by the reference."""
         pairs = list(zip(self.shown(values), self.shown(others), self.truth, self.noise))
         difference = sum((a - b) * (a + b - 2 * truth) for a, b, truth, _ in pairs)
         scale = sum((a - truth) ** 2 + (b - truth) ** 2 for a, b, truth, _ in pairs)
@@ -99,8 +96,6 @@ class Reference:
 
 
 class Excess:
-    """Excess over pictures with the same seeds, for one of so many `tests`."""
-
     def __init__(self, reference, pictures, others, tests):
         excesses, given = zip(*map(reference.excess, pictures, others))
         self.errors = [statistics.fmean(map(reference.error, made)) for made in (pictures, others)]

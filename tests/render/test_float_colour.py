@@ -9,7 +9,7 @@ import tempfile
 
 from tests.render import rendering, scenes
 
-# includes values outside half's range, and one with more digits than half
+# values beyond half's range or digits
 CAMERA = "camera { orthographic location -z look_at 0 right 4*x up y }\n"
 VALUES = (123456.75, 1e-9, 0.7071067690849304, 1.0)
 SQUARES = CAMERA + "".join(
@@ -51,7 +51,7 @@ class FloatColour(rendering.RenderTest):
                 self.assertAlmostEqual(a, b, delta=1e-7 + 6e-4 * abs(a))
 
     def test_other_formats_are_unchanged(self):
-        """Upstream treats 32 as 16 there, and existing command lines must still work."""
+        """Existing command lines rely on upstream's 16 bits."""
         wanted = rendering.render(SQUARES, "+FN16", **SIZE)
         self.assertEqual(rendering.render(SQUARES, "+FN32", **SIZE).values, wanted.values)
         for option in ("+FN32", "+FT32", "+FP32", "+FB32", "+FJ32", "+FH32"):

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""focus_peaking, focus_map, show_planes: pixels and cost."""
+"""Pixels and cost of focus_peaking, focus_map, show_planes."""
 
 import functools
 import math
@@ -27,7 +27,7 @@ def pinhole(world=scenes.WORLD, lens=LENS, **how):
 
 
 def wall(distance, aid, width=64, height=48):
-    """A black wall; its blur is |1/Z - 1/10| times diameter times film distance in pixels: 0.5 * 1 * 64."""
+    """A black wall with the blur |1/Z - 1/10| times 0.5 * 1 * 64 pixels (diameter, film distance, width)."""
     scene = (
         f"camera {{ location 0 direction z right x up 0.75*y aperture 1 focal_point 10*z tilt_lens {{ {aid} }} }}\n"
         f"plane {{ z, {distance} pigment {{ rgb 0 }} }}\n"
@@ -64,7 +64,6 @@ class Repeatable(rendering.RenderTest):
 
 class Peaking(rendering.RenderTest):
     def count_tinted(self, drawn, plain):
-        """Other pixels must equal the plain picture's."""
         tinted = 0
         for i in range(plain.width * plain.height):
             x, y = i % plain.width, i // plain.width
@@ -155,7 +154,6 @@ class Map(rendering.RenderTest):
 
 class Planes(rendering.RenderTest):
     def test_hidden_behind_nearer_surfaces(self):
-        """Before all three surfaces, the picture is a pinhole's."""
         lens = "tilt 0 "
         near = "sphere { <0.4, 1.5, -4> + 0.6*(<0, 0.5, 0.5> - <0.4, 1.5, -4>), 0.3 pigment { rgb 0.6 } }\n"
         seen, plain = (picture("show_planes", lens=lens, world=scenes.WORLD + near), pinhole(scenes.WORLD + near, lens))
@@ -177,7 +175,6 @@ class Planes(rendering.RenderTest):
         self.assertGreater(fourth[2] - fourth[0], third[2] - third[0] + 0.02, "then the far limit: blue")
 
     def test_wedge_meets_in_the_hinge(self):
-        """Above the hinge's horizon none is visible, below it all three."""
         scene = (
             "camera { location 0 direction z right x up 0.75*y aperture 1 focal_point <0, 0, 10> "
             "tilt_lens { focus_tilt 80 show_planes } }\n"

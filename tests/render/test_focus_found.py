@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Points of focus_on and focus_at are sharp; sample_seed changes only the noise."""
+"""Points of focus_on and focus_at are sharp."""
 
 from tests.render import rendering, scenes
 from tests.render.test_layers import Rendered

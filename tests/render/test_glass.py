@@ -51,7 +51,6 @@ class EvenLight(rendering.RenderTest):
             for y in range(HEIGHT // 2):
                 for other in ((WIDTH - 1 - x, y), (x, HEIGHT - 1 - y)):
                     self.assertAlmostEqual(level(x, y), level(*other), delta=0.003, msg=picture.told)
-                # monotonous to the centre, in small steps
                 self.assertGreater(level(x + 1, y), level(x, y) - 0.002)
                 self.assertLess(level(x + 1, y) - level(x, y), 0.06)
 
@@ -88,7 +87,6 @@ class Focus(rendering.RenderTest):
 
 class Layers(rendering.RenderTest):
     def test_positions_match_the_picture(self):
-        """A small light at a pixel's position in the layers appears in that pixel."""
         items = GAUSS + "f_stop 11 tilt 2 shift <1, -1>"
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             folder = pathlib.Path(name)
@@ -159,7 +157,6 @@ class Dispersion(rendering.RenderTest):
             self.assertAlmostEqual(a, b, delta=0.01)
 
     def test_colours_focus_as_in_the_closed_form(self):
-        """A point's disc follows from the film's distance from the image."""
         film, radius = 0.5, 0.001  # mm, width of the film; units, of the point at 10
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             (pathlib.Path(name) / "singlet.dat").write_text(self.SINGLET)
@@ -178,7 +175,7 @@ class Dispersion(rendering.RenderTest):
 
     @staticmethod
     def disc(wavelength):
-        """Radius, mm, behind a thick lens with dispersion by the Abbe number, the stop 30 mm behind it."""
+        """Radius, mm, behind a thick lens with dispersion; the stop is 30 mm behind."""
         index = 1.5168 + 0.5168 / 64.17 * (wavelength**-2 - 587.6**-2) / (486.1**-2 - 656.3**-2)
         focal = lambda n: 1 / ((n - 1) * (2 / 100 - (n - 1) * 4 / (n * 100 * 100)))
         image = lambda n: 1 / (1 / focal(n) - 1 / 10000)
@@ -199,7 +196,7 @@ class Files(rendering.RenderTest):
                 scene = camera(f'prescription "lenses/{row["file"]}", 60 f_stop 4.2 tilt 1') + WORLD
                 picture, text = rendering.render_and_listen(scene, f"+L{INCLUDE}", **SIZE)
                 self.assert_finite(picture)
-                # 60 mm at infinity; moved groups change it
+                # moved groups change the focal length
                 moves = '"object-distance"' in (LENSES / row["file"]).read_text(encoding="utf-8")
                 focal = float(re.search(r"Focal length\.+(\S+) mm", text)[1])
                 self.assertAlmostEqual(focal, 60, delta=6 if moves else 0.001)

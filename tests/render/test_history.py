@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Pixels do not depend on earlier rays: random scenes use every per-thread cache with several threads, tiles and bands."""
+"""Pixels do not depend on per-thread caches."""
 
 import random
 

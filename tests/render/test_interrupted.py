@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A killed or interrupted render continues with +C to the same pixels."""
+"""Interrupted renders continue with +C to the same pixels."""
 
 import pathlib
 import re

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Output_Layers: values in the OpenEXR file, and its safety."""
+"""Values and safety of Output_Layers."""
 
 import math
 import pathlib
@@ -93,7 +93,6 @@ class Numbers(rendering.RenderTest):
         self.assert_same(self.turned.picture, rendering.render(TURNED, **SIZE), "with and without layers")
 
     def test_positions_project_to_their_pixels(self):
-        """worldToNDC maps each position to its pixel's centre."""
         m = self.turned.attribute("worldToNDC")
         hits = 0
         for x, y in self.turned.pixels():
@@ -115,7 +114,7 @@ class Numbers(rendering.RenderTest):
                 self.assertAlmostEqual(z, depth, delta=1e-4 * depth)
 
     def test_blur_of_a_wall(self):
-        """|1/Z - 1/10| times diameter times film distance in pixels, positive before the plane of focus."""
+        """|1/Z - 1/10| times diameter times film distance in pixels."""
         for distance in (4.0, 10.0, 30.0):
             scene = (
                 "camera { location 0 direction z right 1.5*x up y aperture 1 focal_point 10*z blur_samples 4 tilt_lens {} }\n"

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Constant surroundings stay constant; radiosity, photons and media render; no pixel is NaN."""
+"""Constant surroundings, radiosity, photons and media."""
 
 from tests.render import rendering, scenes
 

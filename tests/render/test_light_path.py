@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Lamps in flat mirrors and behind panes are blurred as at the end of their light's path. One sample per pixel shows the circles of
-confusion."""
+"""Blur of lamps in mirrors and behind panes. One sample per pixel shows the circle of confusion."""
 
 from tests.render import rendering
 

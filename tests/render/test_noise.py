@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Random numbers give the same pixels for any threads, but for radiosity (documented)."""
+"""Random numbers give the same pixels for any threads, except with radiosity."""
 
 from tests.render import rendering, scenes
 

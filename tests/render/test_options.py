@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Options that leave nothing to render are refused with the reason."""
+"""Options that leave nothing to render are refused."""
 
 import os
 import pathlib
@@ -19,8 +19,6 @@ def run(scene, *options):
 
 
 class Refused(rendering.RenderTest):
-    """With an aperture, such options made the program wait for ever."""
-
     def check(self, options, message):
         for scene in (scenes.TILTED, STOCK):
             with self.subTest(options=options, stock=scene is STOCK):

@@ -31,7 +31,6 @@ class OtherState(rendering.RenderTest):
         self.picture = self.folder / "picture.png"
 
     def begin(self, scene, *options, **size):
-        """Makes a state file, as an interrupted render leaves it."""
         # a folder of the picture's name keeps the state file
         self.picture.mkdir()
         (self.picture / "used").touch()

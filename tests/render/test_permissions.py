@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Files that a scene may not read or write are refused with the line, and unchanged."""
+"""Forbidden files are refused and unchanged."""
 
 import os
 import pathlib
@@ -13,7 +13,6 @@ from tools.repository import ROOT
 
 LENS = ROOT / "scenes" / "include" / "lenses" / "tronnier_gauss_50.dat"
 
-# "to_outside" and "link.inc" are links
 WAYS_TO_READ = (
     '#include "{outside}/file.inc"',
     '#include "../outside/file.inc"',
@@ -145,7 +144,6 @@ class Permissions(rendering.RenderTest):
         return done.code, told(done.said)
 
     def test_permitted(self):
-        """The scene's folder, those in it, +L, the program's own, the picture's, by any path."""
         more = f"+L{self.outside}"
         for line, *options in (
             ('#include "file.inc"',),

@@ -8,7 +8,7 @@ import tempfile
 
 from tests.render import rendering, scenes
 
-# sky: fewest samples; floor: hundreds
+# fewest samples in the sky, hundreds on the floor
 HALVES = (
     "camera { location y look_at <0, 1, 1> right 4/3*x angle 60 aperture 0.5 focal_point <0, 1, 9> "
     "blur_samples 8, 256 variance 1/20000 tilt_lens {} }\n"
@@ -20,13 +20,11 @@ MESSAGE = re.compile(r"Rendered (\d+) of (\d+) pixels \((\d+)% of the work\)")
 
 
 def shown(said):
-    """(pixels, percentage) of each message."""
     return [(int(done), int(percent)) for done, _, percent in MESSAGE.findall(said)]
 
 
 class Progress(rendering.RenderTest):
     def test_counts_the_work(self):
-        """The sky comes first: half of the pixels, little work."""
         said = rendering.render_and_listen(HALVES, "+WT1", "+BS16", "+V", **SIZE)[1]
         messages = shown(said)
         self.assertGreater(len(messages), 20, said)
@@ -44,7 +42,6 @@ class Progress(rendering.RenderTest):
                 self.assertEqual(percentages[-1], 100, said)
 
     def test_other_way_round(self):
-        """The floor comes first: half of the pixels, most of the work."""
         said = rendering.render_and_listen(HALVES.replace("right 4/3*x", "right 4/3*x sky -y"), "+WT1", "+BS16", "+V", **SIZE)[1]
         half = [percent for pixels, percent in shown(said) if pixels == 128 * 96 // 2]
         self.assertGreater(half[0], 88, said)
@@ -63,7 +60,7 @@ class Progress(rendering.RenderTest):
         self.assertEqual(shown(rendering.render_and_listen(HALVES, "-V", **SIZE)[1]), [])
 
     def test_focus_aids_and_radiosity(self):
-        """Here pixels count: aids take one ray each, and test rays would change radiosity."""
+        """Pixels count: aids take one ray each, and test rays would change radiosity."""
         radiosity = "global_settings { radiosity { count 8 pretrace_start 0.2 pretrace_end 0.1 } }\n"
         for scene in (scenes.camera("focus_map") + scenes.WORLD, radiosity + HALVES):
             messages = shown(rendering.render_and_listen(scene, "+V", "+BS16", "+WT1", **SIZE)[1])

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The preview of another focus is near the real render; mistakes get one message."""
+"""The preview of another focus resembles the render."""
 
 import argparse
 import os

@@ -59,7 +59,6 @@ class SubImages(rendering.RenderTest):
 
     def check(self, left, top, right, bottom, *options):
         part = rendering.render(scenes.TILTED, f"+SC{left}", f"+EC{right}", f"+SR{top}", f"+ER{bottom}", *options, **SIZE)
-        # the file has the whole size, black outside the part
         place = (left - 1, top - 1, right, bottom)
         self.assert_same(part.crop(*place), self.whole.crop(*place), "sub-image")
 

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The report of sharp_points, compared with an independent formula and the picture's blur."""
+"""The report of sharp_points, compared with an independent formula and the picture."""
 
 import itertools
 import math
@@ -29,13 +29,12 @@ def dot(a, b):
 
 
 def in_camera(point):
-    """Right, up, along the axis, from the lens."""
     way = [p - o for p, o in zip(point, LOCATION)]
     return tuple(dot(way, axis) for axis in (RIGHT, UP, AXIS))
 
 
 def defocus(k, points):
-    """1/z - k.D in the camera frame, positive before the plane k.X = 1."""
+    """1/z - k.D, positive before the plane k.X = 1."""
     return [(1 - dot(k, p)) / p[2] for p in points]
 
 
@@ -46,7 +45,7 @@ def determinant(rows):
 
 
 def levelled(points):
-    """(k, defocus) that leaves four points equally blurred, with signs that no other k improves."""
+    """(k, defocus) with four points equally blurred."""
     rows = [[p[0] / p[2], p[1] / p[2], 1.0] for p in points]
     weights = [(-1) ** i * determinant(rows[:i] + rows[i + 1 :]) for i in range(4)]
     system = [[*row, math.copysign(1.0, w)] for row, w in zip(rows, weights)]
@@ -57,7 +56,6 @@ def levelled(points):
 
 
 def best_plane(points):
-    """(k, greatest defocus) of the worst set of four."""
     return max((levelled(four) for four in itertools.combinations(points, 4)), key=lambda solved: solved[1])
 
 
@@ -66,7 +64,7 @@ def in_pixels(defocus_value, diameter):
 
 
 def seen_from_film(k, point):
-    """Mean diameter (root mean square of two at right angles) of the turned lens along the chief ray."""
+    """Root mean square of two diameters of the turned lens along the chief ray."""
     q = (k[0], k[1], k[2] + UNIT / FILM_DISTANCE)
     t = [part / math.hypot(*q) for part in q]
     across = [point[i] / point[2] for i in (0, 1)]
@@ -84,7 +82,6 @@ LAMPS = "".join(
 
 
 def reported(said):
-    """(blur in pixels, whether it binds) of each point."""
     text = re.sub(r"\n (?! )", " ", said)  # joins lines that the console has wrapped
     lines = re.findall(r"^    \d\.+<[^>]*>: ([\d.e-]+) pixels \(([\d.e-]+) mm\) (before|behind)(, binds)?", text, re.MULTILINE)
     return [(float(p) * (1 if side == "before" else -1), float(mm), bool(binds)) for p, mm, side, binds in lines]
@@ -115,7 +112,7 @@ class SharpPoints(rendering.RenderTest):
             self.assertAlmostEqual(measured, abs(want) * seen_from_film(k, point), delta=0.02 * abs(want))
 
     def spot(self, picture, point, most):
-        """Mean diameter, pixels, of an even ellipse of light in a part of the picture 2 `most` wide."""
+        """Mean diameter, pixels, of an even ellipse of light."""
         scale = FILM_DISTANCE / point[2] * WIDTH / FILM
         column, row = WIDTH / 2 + scale * point[0], HEIGHT / 2 - scale * point[1]
         lights = []

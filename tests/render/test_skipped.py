@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Unnecessary work is skipped, and counted in the summary."""
+"""Unnecessary work is skipped, and counted."""
 
 import re
 
@@ -32,7 +32,6 @@ class Skipped(rendering.RenderTest):
         self.assertLess(ended[0], 64 * 24)
 
     def test_first_round_is_longer_if_many_pixels_of_a_block_need_more(self):
-        """The horizon lies in the first row of blocks, whose sky exceeds the minimum too."""
         self.assertEqual(numbers("Ended at the minimum", said_of(FLOOR + EVEN))[0], 0)
 
     def test_minimum_is_a_power_of_two(self):
@@ -94,7 +93,7 @@ class Skipped(rendering.RenderTest):
         self.assertIsNone(numbers("Emitter samples", said_of(large)))
 
     def test_emitters_are_brighter_than_lit_objects(self):
-        """A lamp below white is an emitter in moonlight, and in the dark where the background is darker."""
+        """A dim lamp is an emitter in moonlight and before a darker background."""
         lamp = LAMP.replace("emission 50", "emission 0.9").replace("0.01 pigment", "0.04 pigment")
         moon = "light_source { <4, 6, -4>, rgb 0.02 }\n"
         self.assertEqual(numbers("Emitter samples", said_of(lamp + moon))[1], 1)

@@ -1,10 +1,10 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""In small and large units, shadows equal the plain camera's in moderate units or, beyond stock's range, in the same unit."""
+"""Shadows in small and large units equal the plain camera's."""
 
 from tests.render import rendering
 
-# powers of two; at the first, stock misses near shadows until it finds a far one of the same object
+# powers of two; at the first, stock misses near shadows until it finds a far one
 SCALES = ("1/256", "1/64", "1", "1024")
 EXTREME = ("1e-4", "3e-4", "1e6")
 POST = {

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Pinholes, shifts and the size of blur, compared with POV-Ray's own camera."""
+"""Pinholes, shifts and blur agree with POV-Ray's camera."""
 
 import math
 
@@ -35,7 +35,6 @@ class Pinhole(rendering.RenderTest):
         self.assert_same(rendering.render(scene, **SIZE), rendering.render(stock(), **SIZE), "aperture 0")
 
     def test_shift_is_a_shear(self):
-        """9 and 4.5 mm of 36 shift the direction by those shares of `right`."""
         view = "location <0.4, 1.5, -4> right 4/3*x up y focal_point <0, 0, 0.5> "
         own = f"camera {{ {view}direction z tilt_lens {{ shift <9, -4.5> }} }}\n" + scenes.WORLD
         sheared = f"camera {{ {view}direction <4/3*0.25, -4/3*0.125, 1> }}\n" + scenes.WORLD
@@ -63,7 +62,7 @@ class BlurSize(rendering.RenderTest):
     CAMERA = "location -4*z right 4/3*x up y direction 1.5*z focal_point 0 aperture 2 blur_samples 1500 variance 0 "
 
     def spread(self, scene):
-        """Root mean square distance from the centre of light, pixels; and the light."""
+        """Root mean square distance from the centre of light, pixels; light."""
         picture = rendering.render(scene, width=48, height=36, extension="exr")
         light = picture.channel("R")
         total = sum(light)

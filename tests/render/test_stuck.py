@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Signals end the program while its parser waits for a pipe."""
+"""Signals end the program while its parser waits."""
 
 import os
 import pathlib

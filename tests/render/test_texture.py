@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The remaining noise prefers neither rows, columns nor blocks of 16 pixels."""
+"""Remaining noise prefers neither rows, columns nor blocks."""
 
 import numpy
 

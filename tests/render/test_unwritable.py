@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Output that cannot be written gives one message with name and reason."""
+"""Unwritable output gives one message."""
 
 import pathlib
 import re

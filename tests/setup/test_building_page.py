@@ -7,7 +7,7 @@ import unittest
 
 from tests.setup.scratch import REPOSITORY, SetupTest
 
-# arm64's compiler has another package, and ccache is optional
+# arm64's compiler has another package; ccache is optional
 NOT_FOR_ARM64 = {"g++", "ccache"}
 
 
@@ -17,7 +17,6 @@ def section(title):
 
 
 def braces(word):
-    """Bash's a{b,c}d."""
     inner = re.fullmatch(r"(.*)\{(.*)\}(.*)", word)
     return [inner[1] + part + inner[3] for part in inner[2].split(",")] if inner else [word]
 

@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The bundle loads only glibc from outside, contains every licence, and renders from any folder. cmake/bundle/on_fresh_debian tries it on
-bare systems."""
+"""The bundle's libraries and licences, and renders from any folder."""
 
 import os
 import pathlib
@@ -35,7 +34,7 @@ class Bundle(SetupTest):
             "-P",
             REPOSITORY / "cmake" / "bundle" / "make.cmake",
         )
-        # moved, to find fixed paths
+        # a move reveals fixed paths
         cls.bundle = cls.scratch.folder / "moved to" / "bundle"
         if (work / "bundle").is_dir():
             cls.bundle.parent.mkdir()

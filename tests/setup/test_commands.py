@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The two commands up to the build, with a stand-in that prints its arguments."""
+"""The commands up to the build, with a stand-in."""
 
 import fcntl
 import os
@@ -241,7 +241,6 @@ class CheckCommand(CommandTest):
     SLOW = [f"group.slow{n}" for n in range(23)]
 
     def chosen(self, *arguments, **env):
-        """CTest's options for slow tests."""
         lines = [f"  Test #{n}: {name}" for n, name in enumerate(self.SLOW, 100)]
         listed = "\n".join(["Test project /build", *lines])
         self.tool("ctest", f'[ "$1" = -N ] && {{ echo "{listed}"; exit; }}; shift 3; printf "option %s\\n" "$@"')
@@ -451,7 +450,7 @@ class SetupStep(CommandTest):
         self.assert_fails_saying(process, "packages could not be installed", "is there a network?")
 
     def installed_of(self, packages, known=""):
-        """Packages installed for the lines PACKAGES if apt knows the names KNOWN."""
+        """Packages installed for PACKAGES if apt knows the names KNOWN."""
         (self.copy / "cmake" / "debian-packages").write_text(packages, encoding="utf-8")
         self.tool("id", "echo 0")
         self.tool("apt-cache", f'case " {known} " in *" $2 "*) echo "  Candidate: 1" ;; *) echo "  Candidate: (none)" ;; esac')

@@ -16,7 +16,6 @@ UGLY = "def f( a,b ):\n    return {'a':a ,\n 'b' : b}\n"
 
 
 def python_files():
-    """In a fixed order."""
     packages = [path.parent for path in REPOSITORY.glob("*/__init__.py")]
     return sorted([*REPOSITORY.glob("*.py"), *(path for package in packages for path in package.rglob("*.py"))])
 

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The oldest CMake that the build accepts: all files agree, and CMake's manual shows no newer command or option."""
+"""CMake's manual shows nothing newer than the oldest accepted CMake."""
 
 import json
 import re
@@ -26,14 +26,13 @@ def minimum(name):
 
 
 def sections(help_option):
-    """Texts of CMake's manual by command or variable."""
     text = subprocess.run([CMAKE, help_option], capture_output=True, text=True, check=True).stdout
     parts = re.split(r"^(\w+)\n-{2,}$", text, flags=re.MULTILINE)
     return dict(zip(parts[1::2], parts[2::2]))
 
 
 def added(section):
-    """Versions that added words of a SECTION; "": its subject."""
+    """Versions by words of a SECTION; "": its subject."""
     found = {}
     for place in re.finditer(r"^ *\.\. versionadded:: ([0-9.]+)", section, re.MULTILINE):
         above = section[: place.start()].strip().rpartition("\n\n")[2]
@@ -44,7 +43,6 @@ def added(section):
 
 
 def calls(text):
-    """Calls, with the words in capitals among the arguments."""
     text = re.sub(r"#.*", "", text)
     for call in re.finditer(r"\b([a-z_]+)\(((?:\"(?:\\.|[^\"\\])*\"|[^()\"])*)", text):
         yield call[1], re.findall(r"\b[A-Z][A-Z_]+\b", re.sub(r"\"(?:\\.|[^\"\\])*\"", "", call[2]))

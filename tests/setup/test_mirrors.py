@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""apt gets the source from imitated mirrors of Debian and derived systems."""
+"""apt gets the source from imitated mirrors."""
 
 import dataclasses
 import email.utils
@@ -120,7 +120,7 @@ class Mirrors(SourcePackageTest):
         ).stdout
 
     def mirror(self, suite, component, revisions, made=-DAY, signed=True):
-        """The index was made `made` seconds from now, valid for two days."""
+        """Made `made` seconds from now, valid for two days."""
         root = self.folder / "mirror"
         source = root / "dists" / suite / component / "source"
         source.mkdir(parents=True)

@@ -15,7 +15,6 @@ TESTS = REPOSITORY / "tests"
 
 
 def misnamed(paths, pattern, has_tests):
-    """Files whose name contradicts their contents."""
     return [str(path) for path in sorted(paths) if bool(re.search(pattern, path.name)) != bool(has_tests.search(path.read_text()))]
 
 

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Calls refused by on_fresh_debian. Making a system needs root and a mirror, and is tried by hand."""
+"""Calls refused by on_fresh_debian. Making a system needs root."""
 
 import os
 import unittest
@@ -13,7 +13,7 @@ SCRIPT = REPOSITORY / "tests" / "setup" / "on_fresh_debian"
 class OnFreshDebian(SetupTest):
     def setUp(self):
         super().setUp()
-        # so that no system is made even by root
+        # no system is made even by root
         for name, text in (("id", "echo ${FAKE_USER:-0}"), ("debootstrap", "echo E: no such suite; exit 1"), ("git", "exit 1")):
             tool = self.folder / name
             tool.write_text(f"#!/bin/bash\n{text}\n", encoding="utf-8")

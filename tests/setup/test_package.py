@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The package for Debian: files, control data, rendering as installed."""
+"""The package for Debian."""
 
 import gzip
 import pathlib
@@ -107,7 +107,6 @@ class Package(SetupTest):
         self.assert_is_the_source(archive)
 
     def assert_is_the_source(self, archive):
-        """Files under version control, and no others."""
         with tarfile.open(archive) as opened:
             held = {name.partition("/")[2] for name in (entry.name for entry in opened if not entry.isdir())}
         self.assertIn("CMakeLists.txt", held)
@@ -119,7 +118,6 @@ class Package(SetupTest):
             self.assertEqual({name for name in wanted if name and (REPOSITORY / name).exists()} - held, set())
 
     def test_source_can_be_configured(self):
-        """The archive suffices, with this build's files of upstream."""
         archive = next((self.root / "usr/share/doc/povray-tilt-lens").glob("*.tar.xz"))
         self.assert_succeeds(self.run_command("tar", "--extract", "--file", archive, "--directory", self.folder))
         cache = dict(re.findall(r"^(\w+):[A-Z]+=(.*)$", (BUILD / "CMakeCache.txt").read_text(encoding="utf-8"), re.MULTILINE))

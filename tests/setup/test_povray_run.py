@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""tools/povray_run.py: the user's settings do not reach a render; a hanging run ends, a failing one says why."""
+"""Users' settings do not reach a render; a hanging run ends."""
 
 import os
 import re

@@ -53,7 +53,6 @@ class Program(ProgramTest):
         self.assertNotIn(str(REPOSITORY), said)
 
     def test_state_files_name_its_sources(self):
-        """Another program's picture must not be continued."""
         sources = sorted((path for ending in ("cpp", "h") for path in (REPOSITORY / "povray-src").rglob(f"*.{ending}")), key=str)
         hashes = "".join(hashlib.sha256(path.read_bytes()).hexdigest() + "\n" for path in sources)
         self.assertIn(b", sources " + hashlib.sha256(hashes.encode()).hexdigest().encode(), POVRAY.read_bytes())
@@ -89,8 +88,6 @@ class Preview(ProgramTest):
 
 
 class Hardening(SetupTest):
-    """A write past an array ends the program; tables of functions are read-only."""
-
     def said(self, *words):
         return self.run_command("readelf", *words, POVRAY).stdout
 
@@ -103,7 +100,7 @@ class Hardening(SetupTest):
 
 
 class Arithmetic(SetupTest):
-    """No fused multiplication and addition: all processors give the same pixels."""
+    """Without fused multiplication and addition, all processors give the same pixels."""
 
     COMPUTING = re.compile(r" -o CMakeFiles/(?:tilt_lens|povray|povray_core|povray_own|povray_vfe)\.dir/")
 

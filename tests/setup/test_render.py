@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""./render with the real program: file names and signals."""
+"""File names and signals of ./render."""
 
 import os
 import pathlib
@@ -104,7 +104,6 @@ class FileNames(RenderTest):
         self.assertTrue((self.place / os.fsdecode(b"latin\xe4.png")).is_file())
 
     def test_first_character(self):
-        """After a switch, and at the beginning of an INI file's line."""
         self.scene("\u00f6st.pov")
         self.povray("+I\u00f6st.pov", "+O\u00f6.png")
         self.assertTrue((self.place / "\u00f6.png").is_file())
@@ -116,7 +115,6 @@ class FileNames(RenderTest):
         self.assert_succeeds(self.run_command(BUILD / "bin" / "povray", *words, "+W8", "+H6", "-D", cwd=self.place))
 
     def long_path(self, letter, length):
-        """`length` bytes; room is left for .pov."""
         path, last = os.fsencode(self.folder), 60
         letter = letter.encode()
         while len(path) + 1 + last < length:
@@ -182,7 +180,6 @@ class FileNames(RenderTest):
 
 class Signals(RenderTest):
     def stopped(self, send):
-        """The program receives the signal while it traces."""
         (self.place / "s.pov").write_text(SLOW, encoding="utf-8")
         state = self.place / "s.pov-state"
         state.unlink(missing_ok=True)

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Each failed delivery of the source has one message, and the next try starts clean."""
+"""A failed delivery of the source has one message."""
 
 import os
 import shutil

@@ -187,7 +187,7 @@ TEST(BoxHierarchy, MemoryIsAsDocumented)
         EXPECT_LE(Scene(Boxes(number, number, 10.0, 0.04)).hierarchy.Bytes(), 110u * number);
 }
 
-/// Rounding decides for rays along one axis or two, from faces, edges and corners.
+/// Rounding decides for these rays.
 TEST(BoxHierarchy, FindsBoxesByRaysAlongAxesAndOnFaces)
 {
     std::vector<BoxItem> items;
@@ -236,13 +236,13 @@ TEST(BoxHierarchy, FindsBoxesFromTinyToHuge)
     }
 }
 
-/// Boxes without thickness, all but one coincident: no split, but the stack suffices.
+/// Coincident boxes without thickness cannot be split, but the stack suffices.
 TEST(BoxHierarchy, FindsCoincidentBoxes)
 {
     std::vector<BoxItem> items(5000, BoxItem{{-1, -1, -1}, {1, 1, 1}, nullptr});
     for (int i = 0; i < 3000; i++)
         items.push_back({{-1, -1, -1.0f / (i + 1)}, {1, 1, 1.0f / (i + 1)}, nullptr});
-    // a tenth of the one before: bins separate one at a time
+    // bins separate one at a time
     for (int i = 0; i < 60; i++)
         for (int j = 0; j < 3; j++)
             items.push_back({{float(std::pow(10.0, 20 - i)), 0, 0}, {float(std::pow(10.0, 20 - i)), 1, 1}, nullptr});

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// AVX2 noise equals POV-Ray's functions, restated here, bit for bit.
+// AVX2 noise equals POV-Ray's functions bit for bit.
 
 #include "speedups/lattice_noise.h"
 

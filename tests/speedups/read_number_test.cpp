@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Values as by sscanf, bit for bit, as in stock POV-Ray.
+// Values equal sscanf's bit for bit.
 
 #include "speedups/read_number.h"
 

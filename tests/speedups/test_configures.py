@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Without the speedups, the other patches apply without fuzz, and nothing of povray-src/speedups is compiled.
+"""Without the speedups, the other patches apply without fuzz.
 
 usage: test_configures.py SOURCE DOWNLOADS TARBALL
 """

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Hierarchies of tilt_lens scenes give the pictures that POV-Ray renders without bounding (-MB).
+"""Hierarchies of tilt_lens scenes give the pictures without bounding (-MB).
 
 An empty tilt_lens block keeps the camera's rays. Stock's hierarchy (+MB) misses some rays along faces of boxes."""
 
@@ -176,7 +176,6 @@ class EveryObject(rendering.RenderTest):
                 )
 
     def test_degenerate(self):
-        """Flat, empty or coincident boxes, or more than a node separates."""
         world = (
             "".join(f"disc {{ <{0.3*i - 1.5}, 0, {i}>, {'xyz'[i % 3]}, 0.7 pigment {{ rgb <0.{i}, 0.5, 0.7> }} }}\n" for i in range(9))
             + "".join(f"sphere {{ 0, {0.5 + 0.001*i} pigment {{ rgbt <1, {i/40:g}, 0.3, 0.9> }} }}\n" for i in range(40))

@@ -33,7 +33,7 @@ INFINITE = """
 plane { y, -0.6 pigment { checker rgb 0.2 rgb 0.8 } } plane { -z, -8 pigment { rgb <0.3, 0.4, 0.7> } }
 sphere { <1, 0, 1e6>, 1e5 pigment { rgb 1 } } sphere { <0, 0, 2>, 1e-4 pigment { rgb 1 } }
 """
-# more than the traversal's stack holds at once
+# more than the traversal's stack holds
 CROWD = """
 #for (I, 1, 90) plane { -z, I/10 - 18 pigment { rgb <0.3, I/90, 0.7> } }
   sphere { <I/300, 0.7, 0>, 0.5 + I/300 pigment { rgbf <1, I/90, 0.5, 0.9> } } #end

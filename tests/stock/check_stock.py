@@ -30,7 +30,6 @@ def arguments():
 
 
 def render(program, args, folder):
-    """Copies of the scene's neighbours lie beside it."""
     if folder.exists():
         shutil.rmtree(folder)
     folder.mkdir(parents=True)

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Text of #include, macros, loops and #read equals the unpatched program's, by #debug."""
+"""Text of #include, macros, loops and #read equals the unpatched program's."""
 
 import argparse
 import pathlib

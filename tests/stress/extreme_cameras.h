@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file extreme_cameras.h
-/// Random cameras pulled to each limit of floating point.
+/// Random cameras at each limit of floating point.
 
 #ifndef TILT_LENS_TESTS_EXTREME_CAMERAS_H
 #define TILT_LENS_TESTS_EXTREME_CAMERAS_H
@@ -49,7 +49,7 @@ inline void PullTilt(Random& random, Request& r, FilmPoint&)
     r.given.focalPoint = r.camera.location + DistanceToFocus(r) * AxisOf(r.camera);
 }
 
-/// Makes rays parallel to the plane, exactly or up to 1e-12, so that they focus almost at infinity.
+/// Rays parallel to the plane, exactly or up to 1e-12, focus almost at infinity.
 inline void PullParallel(Random& random, Request& r, FilmPoint& at)
 {
     if (random.Coin())
@@ -108,7 +108,6 @@ inline void PullFartherCamera(Random& random, Request& r, FilmPoint&)
     MoveAway(random, r, 1e12);
 }
 
-/// Scales the whole world, with or without the scene unit.
 inline void PullScale(Random& random, Request& r, FilmPoint&)
 {
     const double scale = random.Power(-9.0, 9.0);
@@ -144,7 +143,6 @@ inline void PullFilm(Random& random, Request& r, FilmPoint&)
         r.given.focalLength = *r.given.focalLength * ratio;
 }
 
-/// Narrows the angle of view to a telescope's, and far below.
 inline void PullNarrow(Random& random, Request& r, FilmPoint&)
 {
     const double share = random.Power(-9.0, -4.0);

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Faults around a render: it is killed, or the disk, memory or standard output fails."""
+"""Killed renders, and failures of disk, memory or standard output."""
 
 import os
 import pathlib
@@ -47,13 +47,11 @@ def is_whole(path, whole):
 
 
 def torn(folder, whole):
-    """True if a truncated picture has the picture's name."""
     path = folder / "picture.png"
     return path.exists() and path.stat().st_size > 0 and not is_whole(path, whole)
 
 
 def killed(count, wholes, stop):
-    """Renders stopped at random and continued have the same pixels, and repeat no finished work."""
     r = random.Random(int(stop))
     found = {"tries": count, "same": 0, "torn": 0, "kept": 0, "before_first_block": 0, "after_end": 0}
     usual = []
@@ -137,7 +135,7 @@ def _many_spheres(count):
 
 
 def full_disk(folder):
-    """A small file system, else a limit on file sizes. With room again, +C keeps the state file's tiles."""
+    """A small file system, else a limit on file sizes."""
     size = {"width": 320, "height": 240}
     whole = rendering.render(QUICK, *OPTIONS, **size)
     mounted = (

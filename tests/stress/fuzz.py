@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The long fuzz run: solver, readers, parser, and the grammar's blocks."""
+"""The long fuzz run."""
 
 import os
 import re
@@ -24,7 +24,7 @@ def drop_refused(corpus):
 
 
 def libfuzzer(name, program, corpus, length, runs, seconds):
-    """Runs, time, coverage, finding. Without a number of runs: a fixed time, and new inputs are kept."""
+    """Without a number of runs: a fixed time, and new inputs are kept."""
     kept.unpack(name, corpus)
     words = corpus.parent / f"{name}.dict"
     words.write_text("".join(f'"{word}"\n' for word in (*grammar_of_blocks.WORDS, "rgb", "<", ">", "{", "}", ", ", "1e309")))

@@ -1,8 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Correct pictures whatever the sampler: constant surroundings, mirrors, moved worlds, noise.
+"""Constant surroundings, mirrors, moved worlds and noise.
 
-Independent pictures have a wider frame, which gives a film point other samples (tests/reference/scenes/batch.inc).
+A wider frame gives a film point other samples, and so independent pictures.
 """
 
 import math
@@ -69,7 +69,7 @@ def random_lens(r):
 
 
 def furnaces(setup, count, work):
-    """Departure from constant light, over random cameras: a sky, and inside a ball."""
+    """Departure from constant light."""
     r = random.Random(4)
     cases = []
     for i in range(1, count + 1):
@@ -158,7 +158,6 @@ def block_scores(left, right, flip):
 
 
 def mirrors(setup, count, pictures):
-    """The mirrored scene gives the flipped picture, within the noise."""
     r = random.Random(8)
     worst, wrong = 0.0, None
     for _ in range(count):
@@ -172,7 +171,7 @@ def mirrors(setup, count, pictures):
         left = independent(lambda batch, scene=scene: scene(batch, 1), pictures, setup.jobs)
         right = independent(lambda batch, scene=scene: scene(batch, -1), pictures, setup.jobs)
         worst = max(worst, block_scores(left, right, True))
-        if wrong is None:  # a swing that is not mirrored must be detected
+        if wrong is None:  # an unmirrored swing must be detected
             wrong = block_scores(left, independent(lambda b, scene=scene: scene(b, -1, -1.0), pictures, setup.jobs), True)
     return {"cameras": count, "pictures": pictures, "worst_z": worst, "wrong_swing_z": wrong}
 
@@ -199,7 +198,6 @@ def moved_worlds(setup, count):
 
 
 def noise(setup, most, pictures):
-    """Mean difference of independent pictures, and its fitted slope."""
     rows = []
     samples = 8
     while samples <= most:

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file rays.cpp
-/// Compares solver and rays with 50 digits: `stress_rays SET CAMERAS SEED` writes JSON. SET: `random` (photography) or one of
-/// extreme_cameras.h.
+/// Compares solver and rays with 50 digits: `stress_rays SET CAMERAS SEED` writes JSON. SET: `random` or one of extreme_cameras.h.
 ///
-/// Errors of a ray are in last places (2^-52 of the direction's length) and in pixels of 100,000: on the film, to the point whose true ray
-/// has this direction, or, if smaller, as an angle in the chief ray's pixels. A lens that reaches to the film flips the former map.
+/// Errors are in last places (2^-52 of the direction's length) and in pixels of 100,000: on the film to the point whose true ray has this
+/// direction, or, if smaller, as an angle. A lens that reaches the film flips the former map.
 ///
-/// In a narrow picture, one last place exceeds a millionth of a pixel. There the error is relative to rounding to nearest.
+/// In a narrow picture, a last place exceeds a millionth of a pixel. There the error is relative to rounding to nearest.
 
 #include <cstdio>
 #include <fstream>
@@ -43,8 +42,8 @@ const std::uint64_t kObviousEvery = 8;
 struct Errors
 {
     double ulps, pixels, origin, condition, pixelsPerRadian;
-    double roundedPixels;  ///< error of the true direction, rounded to nearest
-    double roundings;  ///< angle over the largest by rounding to nearest
+    double roundedPixels;  ///< error of the rounded true direction
+    double roundings;  ///< angle over the largest by rounding
 };
 
 double AsDouble(const Exact& value)
@@ -52,7 +51,7 @@ double AsDouble(const Exact& value)
     return value.convert_to<double>();
 }
 
-/// Offset, pixels, of the film point with this true direction through l.
+/// Offset, pixels, of the film point with this true direction.
 double FilmOffset(const V& right, const V& up, const V& truth, const V& direction)
 {
     const Exact a = direction.Dot(right.Cross(up)), b = truth.Dot(direction.Cross(up)), c = truth.Dot(right.Cross(direction));
@@ -109,7 +108,7 @@ Errors ErrorsOf(const ReferenceCamera<Exact>& reference, const CameraFrame& came
             narrow ? AsDouble(AngleBetween(truth.direction, direction) / MostByRounding(truth.direction)) : 0.0};
 }
 
-/// Uses the normalised difference of the point of sharp focus and the lens point.
+/// The difference of the point of sharp focus and the lens point.
 Vec3 Obvious(const Lens& lens, double x, double y, double a, double b)
 {
     const Vec3 chief = lens.direction + x * lens.right + y * lens.up;

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Ten million random cameras and each extreme, compared with 50 digits."""
+"""Random and extreme cameras, compared with 50 digits."""
 
 from tests.stress import results
 

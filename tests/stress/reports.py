@@ -1,8 +1,8 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Parses sanitizers' reports: the findings, their code, and whether they are known.
+"""Parses sanitizers' reports.
 
-A finding is ours if one of our files is in its stacks. It is known if both sides' innermost functions are; ThreadSanitizer's own
+A finding is ours if one of our files is in its stacks. It is known if both sides' innermost functions are: ThreadSanitizer's
 suppressions match any frame, and could hide a whole thread."""
 
 import collections
@@ -13,7 +13,7 @@ from tools.repository import ROOT
 
 SUPPRESSIONS = ROOT / "tests" / "stress" / "suppressions"
 OURS = re.compile(r"povray-src/")
-# first lines of findings by tool, and lines that may belong to them
+# first lines of findings, and lines that may belong to them
 BLOCKS = re.compile(
     r"(?:^.*runtime error: .*$|^.*(?:ERROR|WARNING): (?:Address|Leak|Thread)Sanitizer.*$"
     r"|^==\d+== (?:Invalid|Conditional|Use of|Syscall).*$)"
@@ -33,7 +33,6 @@ SMALL = re.compile(r"pov::Vector3d::|pov_base::Generic\w*Colour<|pov::pov_(?:mal
 
 
 def innermost(stack):
-    """First function that is the program's own."""
     for function, path in FRAME.findall(stack):
         if not path.startswith(LIBRARIES) and not SMALL.match(function):
             return function
@@ -41,7 +40,6 @@ def innermost(stack):
 
 
 def known(block, names):
-    """None if one side is unknown."""
     sides = SIDE.findall(block) if "ThreadSanitizer" in block else []
     seen = [innermost(stack) for stack in sides if LOST not in stack]
     found = {next((name for name in names if re.match(re.escape(name) + r"(?:\(|<|$)", function)), None) for function in seen}

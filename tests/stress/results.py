@@ -50,7 +50,7 @@ def load(part):
 
 
 def once(folder, name, made_with, make, faults):
-    """Stored for the same program and scripts. Results with faults are made again."""
+    """Results without faults are stored for the same program and scripts."""
     digest = hashlib.sha256()
     for path in made_with:
         digest.update(hashlib.sha256(pathlib.Path(path).read_bytes()).digest())

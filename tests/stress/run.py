@@ -17,7 +17,7 @@ from tests.stress import page, results
 from tools.repository import BUILD
 
 PARTS = ("rays", "sampler", "pictures", "sanitizers", "fuzz", "faults", "soak", "scale", "shortly")
-# additional programs of the long forms, with the names of their Debian packages
+# programs and their Debian packages
 TOOLS = {"sanitizers": "valgrind"}
 QUICK = {
     "rays": {"cameras": 20_000, "extreme": 1000, "shard": 10_000},

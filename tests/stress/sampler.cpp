@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sampler.cpp
-/// `stress_sampler LOG2_SAMPLES` writes JSON: quality of 2-D projections up to 2^LOG2_SAMPLES samples, repeats, the end of the index, the
+/// `stress_sampler LOG2_SAMPLES` writes JSON: quality of 2-D projections up to 2^LOG2_SAMPLES samples, repeats, the index's end, the
 /// lens pair's star discrepancy, correlation of neighbours.
 ///
 /// Bounds: a (0, m, 2)-net in base 2 has N D* <= m/2 + 3/2 (H. Niederreiter, "Random Number Generation and Quasi-Monte Carlo Methods",
@@ -72,7 +72,7 @@ int Quality(const std::vector<Point>& points, int m)
     return m;
 }
 
-/// Exact, over boxes [0, x) x [0, y) and their closures with corners at coordinates of points.
+/// Exact, over open and closed boxes with corners at coordinates of points.
 double StarDiscrepancy(std::vector<Point> points)
 {
     std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.x < b.x; });
@@ -163,7 +163,7 @@ std::uint64_t OverflowFaults(const PixelSampler& sampler)
     return wrong;
 }
 
-/// Largest correlation of some integrands, in standard errors.
+/// Largest correlation, in standard errors.
 double NeighbourCorrelation(int samples, std::uint32_t dx, std::uint32_t dy, std::uint32_t side)
 {
     double worst = 0.0;

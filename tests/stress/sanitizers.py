@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The whole program under AddressSanitizer with UndefinedBehaviorSanitizer, ThreadSanitizer and valgrind.
 
-Builds the presets fuzz (clang) and tsan (gcc). tests/stress/suppressions names upstream's findings and reasons.
+Builds the presets fuzz (clang) and tsan (gcc).
 """
 
 import os
@@ -32,7 +32,7 @@ def environment(tool_suppressions=True):
 
 
 def listener(program, folder, options=""):
-    """Keeps the program's standard error, because not all sanitizers support log_path. Later options take precedence."""
+    """Not all sanitizers support log_path. Later options take precedence."""
     script = folder / "povray"
     script.write_text(f'#!/bin/bash\nexec "{program}" "$@" {options} 2> >(tee "{folder}/log.$$" >&2)\n')
     script.chmod(0o755)
@@ -49,8 +49,6 @@ def build(setup, preset):
 
 
 def watched(what, tool, commands, folder, work, suppressions=True):
-    """Runs commands, which mostly wait, with logs in a folder."""
-
     def run(command):
         done = povray_run.run(command, work, environment(suppressions), limit=None)
         return "" if done.code == 0 else done.told()
@@ -113,7 +111,7 @@ def valgrind(setup, folder, work):
 
 
 def groups(tree, tool, threads, work):
-    """(words, commands, options). The first, without suppressions, shows that findings are detected."""
+    """(words, commands, options). The first case shows that findings are detected."""
     return [
         ("a tutorial scene, nothing suppressed", lambda povray: tutorial(povray, threads)[:1], ""),
         ("tutorial scenes", lambda povray: tutorial(povray, threads), ""),
@@ -155,7 +153,6 @@ def measure(setup):
 
 
 def faults(result):
-    """Unsuppressed findings, failed runs, and sanitizers that report nothing."""
     found = []
     for row in result["rows"]:
         if row["what"].endswith("nothing suppressed"):

@@ -60,7 +60,7 @@ def measure(setup, size="full"):
 
 
 def faults(result):
-    """Superlinear growth, but not of time, which depends on the load."""
+    """Superlinear growth; time depends on the load."""
     found = [f"{key}: work grows with the power {value:.2f}" for key, value in result["work_slopes"].items() if value > 1.15]
     objects = result["objects"]
     each = (objects[-1]["peak_mib"] - objects[0]["peak_mib"]) * 1024 / (objects[-1]["objects"] - objects[0]["objects"])

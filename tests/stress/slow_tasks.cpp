@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file slow_tasks.cpp
-/// Imitates a busy machine: a slow start, and sleep after queueing a task and before every second thread's tile. Prints how many lights
-/// the bounding task has copied.
+/// Imitates a busy machine: sleeps at the start, after queueing a task and before every second thread's tile. Prints how many lights the
+/// bounding task has copied.
 
 #include <atomic>
 #include <chrono>
@@ -19,7 +19,7 @@
 #include "backend/scene/threaddata.h"
 #include "backend/support/taskqueue.h"
 
-// The linker (--wrap) redirects povray_init(), TaskQueue::AppendTask() and RenderBackend::SendViewOutput().
+// The linker (--wrap) redirects these functions.
 boost::thread* Start(const boost::function0<void>& closed, void** address) __asm__("__wrap__Z11povray_initRKN5boost9function0IvEEPPv");
 boost::thread* RealStart(const boost::function0<void>& closed, void** address) __asm__("__real__Z11povray_initRKN5boost9function0IvEEPPv");
 pov::Task::TaskData* Append(pov::TaskQueue* queue, pov::Task* task) __asm__("__wrap__ZN3pov9TaskQueue10AppendTaskEPNS_4TaskE");

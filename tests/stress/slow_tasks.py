@@ -1,7 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A program that starts more slowly than its parser must not read the parser's lights meanwhile; with late tiles, progress must neither
-fall nor miss a pixel.
+"""A slowly starting program must not read the parser's lights; with late tiles, progress must not fall.
 
 python3 -m tests.stress.slow_tasks PROGRAM"""
 

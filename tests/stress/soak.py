@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Memory leaks by frames, by tiles, and within a picture.
 
-jemalloc counts allocated bytes, whatever the load: a leak adds at least the smallest block each time.
+jemalloc counts allocated bytes: a leak adds at least the smallest block each time.
 """
 
 import json
@@ -17,7 +17,7 @@ FRAMES, ROWS = (250, 500), (1536, 12288)
 SMALLEST = 8  # bytes of jemalloc's smallest block
 WIDTH, TILE = 64, 32
 PIXEL = 20  # bytes: five floats
-# as JSON on standard error, without the threads' caches
+# JSON on standard error, without the threads' caches
 COUNTS = "tcache:false,stats_print:true,stats_print_opts:Jdablxeh,stats_interval:1000000,stats_interval_opts:Jdablxeh"
 HEAD = "#version 3.7; global_settings { assumed_gamma 1 }\n"
 MOVING = (

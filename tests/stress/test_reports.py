@@ -81,7 +81,6 @@ class Findings(unittest.TestCase):
         self.assertEqual(self.found("Parse Error: tilt 90\n"), [0, 0])
 
     def test_said_on_standard_error_is_kept(self):
-        """The wrapper passes messages on, and its options come last."""
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             folder = pathlib.Path(name)
             program = folder / "program"

@@ -29,7 +29,6 @@ def arguments():
 
 
 def check(entry, args, folder):
-    """Returns the figures, raises pictures.Trouble."""
     record = manifest.load(args.references).get(entry.name)
     if record is None:
         raise pictures.Trouble("missing reference", f"MANIFEST.json has no entry {entry.name}")

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Compares two pictures: one JSON object, and an exit code for each kind of failure.
+// Compares two pictures: prints a JSON object, exits with a code per kind of failure.
 
 #include <algorithm>
 #include <cmath>
@@ -169,7 +169,6 @@ void Preview(const Arguments& arguments)
     Conclude(report, true, "");
 }
 
-/// Middle of a picture that is larger by the same number of pixels all round.
 Picture Middle(const Picture& whole, int width, int height)
 {
     const int left = (whole.width - width) / 2, top = (whole.height - height) / 2;
@@ -182,7 +181,6 @@ Picture Middle(const Picture& whole, int width, int height)
     return middle;
 }
 
-/// Pictures share their centre; the first has the result's size.
 void Average(const std::vector<std::string>& paths, const std::string& output)
 {
     std::vector<Picture> pictures;
@@ -211,7 +209,7 @@ void ShowError(const std::string& path)
     std::cout << report.dump() << '\n';
 }
 
-/// For each picture named on standard input: a line with the number of bytes of WritePixels(), then these; or a line "failed: ".
+/// Answers each picture's name with the number of bytes of WritePixels(), then these; or with a line "failed: ".
 void AnswerWithPixels()
 {
     for (std::string path; std::getline(std::cin, path); std::cout.flush())

@@ -26,7 +26,6 @@ def values_of(picture):
 
 
 def spectrum(difference):
-    """Power by frequency: down, across."""
     taper = 0.5 - 0.5 * numpy.cos(2 * numpy.pi * (numpy.arange(SIDE) + 0.5) / SIDE)
     window = numpy.outer(taper, taper)[..., None]
     height, width = difference.shape[:2]
@@ -40,7 +39,6 @@ def spectrum(difference):
 
 
 def axes_over_diagonals(power):
-    """Mean power near rows and columns over that near the diagonals (HALF_SECTOR)."""
     down, across = numpy.meshgrid(FREQUENCY, FREQUENCY, indexing="ij")
     radius = numpy.hypot(down, across)
     angle = numpy.degrees(numpy.arctan2(abs(down), abs(across)))
@@ -51,7 +49,6 @@ def axes_over_diagonals(power):
 
 
 def blocks_over_surroundings(power):
-    """At a block's period and overtones, along rows and columns, over half-way between."""
     first = SIDE // PERIOD
     lines = numpy.arange(first, SIDE // 2, first)
     slow = abs(FREQUENCY) < LEAST

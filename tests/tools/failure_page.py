@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""A local page about a failed picture, and the commands to render again and to accept."""
+"""A local page about a failed picture."""
 
 import html
 import json
@@ -14,7 +14,7 @@ pre { background: #fff; padding: 0.6em; overflow: auto }"""
 
 
 def write(folder, name, trouble, commands, picture, reference, compare):
-    """Returns the page's path. `commands`: title to command line."""
+    """`commands`: title to command line."""
     command = [str(compare), "preview", str(picture), str(reference), str(folder), "--zoom", "4"]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     parts = [f"<h1>{html.escape(name)}: {html.escape(trouble.outcome)}</h1>", f"<pre>{html.escape(str(trouble))}</pre>"]

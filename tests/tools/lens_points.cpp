@@ -15,7 +15,7 @@ namespace
 
 const double kPi = std::acos(-1.0);
 
-/// Direction numbers of a primitive polynomial (Joe and Kuo 2008).
+/// Direction numbers (Joe and Kuo 2008).
 std::array<std::uint32_t, 32> Directions(int degree, std::uint32_t coefficients, std::array<std::uint32_t, 3> m)
 {
     std::array<std::uint32_t, 32> v{};
@@ -65,7 +65,6 @@ void OnDisc(double u, double v, LensPoint& point)
     point.b = radius * std::sin(angle);
 }
 
-/// Area-preserving, one triangle of centre and edge at a time.
 void OnPolygon(double u, double v, int blades, double degrees, LensPoint& point)
 {
     const double sector = std::min(std::floor(v * blades), blades - 1.0);

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file lens_points.h
-/// The oracle's points: four dimensions of Sobol's sequence (Joe and Kuo), Owen-scrambled with a seed for each batch, so that batches are
-/// independent and unbiased.
+/// Four dimensions of Sobol's sequence (Joe and Kuo). Owen scrambling makes batches independent and unbiased.
 
 #ifndef WITNESS_LENS_POINTS_H
 #define WITNESS_LENS_POINTS_H
@@ -16,11 +15,11 @@ namespace witness
 
 struct LensPoint
 {
-    double jitterX, jitterY;  ///< in pixels, -0.5 to 0.5
-    double a, b;              ///< on the lens: disc of radius 1 or the polygon in it
+    double jitterX, jitterY;  ///< pixels, -0.5 to 0.5
+    double a, b;              ///< disc of radius 1 or the polygon in it
 };
 
-/// @param blades       0: disc; else corners of the polygon in the unit circle
+/// @param blades       0: disc; else corners of the polygon
 /// @param bladesAngle  degrees, counter-clockwise; 0: a corner points right
 std::vector<LensPoint> LensPoints(std::uint32_t count, std::uint32_t seed, int blades, double bladesAngle);
 

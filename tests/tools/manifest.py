@@ -1,9 +1,9 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""MANIFEST.json, the list of reference pictures.
+"""MANIFEST.json lists reference pictures.
 
-tests/oracle/cases/NAME.json makes oracle/NAME.exr by the unpatched program; a scene in tests/reference/pictures.json makes renders/NAME.exr
-by the fork. Only update_references.py writes these."""
+The unpatched program makes oracle/NAME.exr from tests/oracle/cases/NAME.json; the fork makes renders/NAME.exr from scenes in
+tests/reference/pictures.json."""
 
 import dataclasses
 import json
@@ -18,9 +18,8 @@ ORACLE_CASES = ROOT / "tests" / "oracle" / "cases"
 SCENES = ROOT / "tests" / "reference" / "scenes"
 SCENE_LIST = ROOT / "tests" / "reference" / "pictures.json"
 
-# independent pictures (batch.inc): with fewer, Gaussian limits would fail correct pixels
+# with fewer independent pictures, Gaussian limits would fail correct pixels
 BATCHES = 16
-# linear, over all channels
 ORACLE_COMPARISON = {"kind": "limits", "rmse_max": 0.006, "mean_max": 0.0005}
 FIELDS = [
     "file",
@@ -56,7 +55,6 @@ class Entry:
 
     @property
     def output(self):
-        """16 bits within a limited range, else OpenEXR."""
         return "new.png" if self.case else "new.exr"
 
     def job(self, povray, declare=()):
@@ -66,7 +64,7 @@ class Entry:
         )
 
     def sources_sha256(self):
-        """By path: the oracle's case and objects, without the fork's scene, which is under test."""
+        """The fork's scene is under test, so it does not count."""
         files = [self.case, self.case.parent / json.loads(self.case.read_text())["scene"]] if self.case else sources(self.scene)
         return {str(path.relative_to(ROOT)): pictures.file_hash(path) for path in sorted(files)}
 

@@ -14,7 +14,6 @@ namespace
 
 const int kLocalBox = 8;
 
-/// visit(indices) for each box and channel; boxes at the right and lower edge are smaller.
 template<class Visit>
 void ForEachBox(const Picture& picture, int box, Visit visit)
 {
@@ -94,7 +93,7 @@ double SidakLimit(double significance, double count)
 
 ZTest TestNoisy(const Picture& picture, const Reference& reference, const ZTestSettings& settings)
 {
-    // one sample has `batches` times the variance of the mean; for one batch, the floor remains
+    // one sample has `batches` times the variance of the mean
     std::vector<double> deviation(picture.Size());
     for (std::size_t i = 0; i < picture.Size(); ++i)
         deviation[i] = std::max(settings.floor, reference.error.values[i] * std::sqrt(1.0 + reference.batches));

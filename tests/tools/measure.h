@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file measure.h
-/// Figures of a difference, and a test for noisy pictures.
+/// Differences of pictures, and a test for noisy pictures.
 
 #ifndef WITNESS_MEASURE_H
 #define WITNESS_MEASURE_H
@@ -22,10 +22,10 @@ struct PixelDifference
 
 struct Figures
 {
-    double rootMeanSquare = 0.0;  ///< over all pixels and channels
-    double signedMean = 0.0;  ///< of new minus reference
+    double rootMeanSquare = 0.0;
+    double signedMean = 0.0;  ///< new minus reference
     double largest = 0.0;         ///< absolute
-    double largestLocalMean = 0.0;  ///< absolute, of the signed mean over boxes of 8 by 8 pixels, each channel
+    double largestLocalMean = 0.0;  ///< absolute, over boxes of 8 by 8 pixels
     std::size_t different = 0;
     std::vector<PixelDifference> worst;
 };
@@ -36,10 +36,10 @@ bool IsFinite(const Picture& picture);
 
 struct ZTestSettings
 {
-    double floor = 0.001;        ///< least standard error of a difference, in linear units
-    double significance = 0.01;  ///< probability that a correct picture has a failing pixel (or box)
+    double floor = 0.001;        ///< least standard error, linear units
+    double significance = 0.01;  ///< chance that a correct picture fails
     double passing = 0.9975;     ///< share of pixels that must pass
-    int box = 8;                 ///< pixels per side, for the local mean
+    int box = 8;                 ///< pixels per side
 };
 
 struct ZTest
@@ -50,10 +50,10 @@ struct ZTest
     bool passed = false;
 };
 
-/// The test of docs/testing.md: Gaussian limits by Sidak's correction for the number of pixels or boxes.
+/// Gaussian limits by Sidak's correction (docs/testing.md).
 ZTest TestNoisy(const Picture& picture, const Reference& reference, const ZTestSettings& settings);
 
-/// Two-sided, in standard errors: one of `count` Gaussian values exceeds it with probability `significance`.
+/// Limit in standard errors that one of `count` Gaussian values exceeds with probability `significance`.
 double SidakLimit(double significance, double count);
 
 } // namespace witness

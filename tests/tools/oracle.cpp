@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Renders a case of tests/oracle/cases with the unpatched program, or shows its solved camera (docs/testing.md).
+// Renders a case of tests/oracle/cases with the unpatched program, or shows its solved camera.
 
 #include <fstream>
 #include <iostream>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file oracle_case.h
-/// A case of the oracle in a photographer's terms (JSON), and its optics by other formulas than the fork's.
+/// A case of the oracle (JSON), and its optics by other formulas than the fork's.
 
 #ifndef WITNESS_ORACLE_CASE_H
 #define WITNESS_ORACLE_CASE_H
@@ -27,41 +27,41 @@ struct Transformation
         Scale
     };
     Kind kind = Kind::Translate;
-    Vector amount;  ///< scene units; degrees about x, then y, then z; factors
+    Vector amount;  ///< scene units; degrees; factors
 };
 
 enum class Focus
 {
-    Lens,       ///< turned by tilt and swing, the plane passes through a point
-    PlaneTurn,  ///< turned by focus_tilt and focus_swing about a point
+    Lens,       ///< tilt, swing and a point
+    PlaneTurn,  ///< focus_tilt, focus_swing and a point
     Plane,      ///< normal and distance from the world's origin
     ThreePoints
 };
 
-/// World frame, scene units, degrees, film side in millimetres.
+/// World frame, scene units, degrees.
 struct CameraGiven
 {
     Vector location, lookAt;
     std::optional<double> angle;        ///< horizontal, degrees
     std::optional<double> focalLength;  ///< mm; exactly one of angle and focalLength
-    std::optional<double> aperture;     ///< POV-Ray's number: twice the lens diameter
+    std::optional<double> aperture;     ///< twice the lens diameter
     std::optional<double> fStop;        ///< exactly one of aperture and fStop
     double filmWidth = 36.0;            ///< mm
-    double sceneUnit = 1000.0;          ///< mm in one scene unit
+    double sceneUnit = 1000.0;          ///< mm
     Focus focus = Focus::Lens;
-    double turnUp = 0.0, turnRight = 0.0;  ///< tilt and swing, of the lens or of the plane
-    Vector points[3];       ///< first: the focal point; all: three points of the plane
-    Vector normal;          ///< of the plane, any length
-    double distance = 0.0;  ///< of the plane, along its unit normal
+    double turnUp = 0.0, turnRight = 0.0;  ///< tilt and swing, of lens or plane
+    Vector points[3];       ///< the first is the focal point
+    Vector normal;          ///< normal of the plane, any length
+    double distance = 0.0;  ///< distance along the unit normal
     double shiftRight = 0.0, shiftUp = 0.0;  ///< mm
     int blades = 0;                          ///< 0: round
-    double bladesAngle = 0.0;                ///< degrees, counter-clockwise as seen from the camera
+    double bladesAngle = 0.0;                ///< degrees, counter-clockwise from the camera
     std::vector<Transformation> transformations;
 };
 
 struct OracleCase
 {
-    std::string name, scene;    ///< scene: file with the objects, next to the case
+    std::string name, scene;    ///< scene: file beside the case
     int width = 0, height = 0;  ///< pixels
     CameraGiven camera;
 };
@@ -69,11 +69,11 @@ struct OracleCase
 /// World frame, scene units.
 struct CameraSolved
 {
-    Vector location;              ///< lens centre
+    Vector location;
     Vector direction, right, up;
-    Vector focus;                 ///< k: plane of sharp focus is k.(X - location) = 1
+    Vector focus;                 ///< plane of sharp focus: focus.(X - location) = 1
     Vector lensNormal;            ///< unit, away from the film
-    Vector lensX, lensY;          ///< of a lens point (a, b) with a^2 + b^2 <= 1
+    Vector lensX, lensY;          ///< axes of the lens disc, radius long
     double focalLength = 0.0, filmDistance = 0.0;
 };
 

@@ -1,9 +1,8 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Optics of a case, independent of the fork: the imaging equation 1/u + 1/v = 1/f along the lens normal for a stated lens, in homogeneous
-// coordinates, which include images at infinity; Scheimpflug's rule for a stated plane. Camera frame: lens centre at the origin, x right,
-// y up, z into the scene, film at z = -s.
+// The imaging equation 1/u + 1/v = 1/f in homogeneous coordinates, which include images at infinity; Scheimpflug's rule. Camera frame:
+// lens centre at the origin, x right, y up, z into the scene, film at z = -s.
 
 #include <stdexcept>
 
@@ -17,7 +16,6 @@ namespace
 
 const double kDegree = std::acos(-1.0) / 180.0;
 
-/// Axes of POV-Ray's look_at with the default sky; left-handed.
 struct Basis
 {
     Vector right, up, axis;
@@ -40,7 +38,7 @@ Vector TurnedNormal(double turnUp, double turnRight)
     return Unit({-std::sin(b) * std::cos(a), -std::sin(a) * std::cos(b), std::cos(a) * std::cos(b)});
 }
 
-/// Points are homogeneous (X, weight): k.X = weight.
+/// Homogeneous points (X, weight): k.X = weight.
 Vector PlaneThrough(const Vector points[3], const double weights[3])
 {
     const double determinant = Dot(points[0], Cross(points[1], points[2]));
@@ -50,7 +48,7 @@ Vector PlaneThrough(const Vector points[3], const double weights[3])
            (weights[0] * Cross(points[1], points[2]) + weights[1] * Cross(points[2], points[0]) + weights[2] * Cross(points[0], points[1]));
 }
 
-/// For normal t, focal length f, film at -s.
+/// Normal t, focal length f, film at -s.
 Vector PlaneOfLens(const Vector& t, double f, double s)
 {
     const Vector film[3] = {{0.0, 0.0, -s}, {s, 0.0, -s}, {0.0, s, -s}};
@@ -143,7 +141,7 @@ void SolveFocus(const CameraGiven& given, const Basis& basis, CameraSolved& solv
     solved.focalLength = FocalLengthFor(solved.lensNormal, centre, axisPoint);
 }
 
-/// Rotated with the lens about the line common to both planes (Rodrigues).
+/// Rotates about the line common to both planes (Rodrigues).
 Vector TurnWithLens(const Vector& v, const Vector& t)
 {
     const Vector axis{0.0, 0.0, 1.0};
@@ -157,7 +155,7 @@ Vector TurnWithLens(const Vector& v, const Vector& t)
 
 Vector Rotated(Vector v, const Vector& degrees)
 {
-    // POV-Ray rotates about x, then y, then z, left-handed
+    // POV-Ray's rotations are left-handed
     const double cx = std::cos(degrees.x * kDegree), sx = std::sin(degrees.x * kDegree);
     v = {v.x, cx * v.y - sx * v.z, sx * v.y + cx * v.z};
     const double cy = std::cos(degrees.y * kDegree), sy = std::sin(degrees.y * kDegree);
@@ -203,7 +201,7 @@ CameraSolved SolveCase(const CameraGiven& given, double aspect)
     const double millimetre = 1.0 / given.sceneUnit;
     const double width = given.filmWidth * millimetre;
     solved.location = given.location;
-    // in units of the film's distance: direction has length 1 without shift
+    // unit: film distance; direction has length 1 without shift
     const double s = solved.filmDistance;
     solved.right = (width / s) * basis.right;
     solved.up = (width / (s * aspect)) * basis.up;

@@ -33,7 +33,6 @@ std::string Sdl(const Vector& v)
     return out.str();
 }
 
-/// Frames count from 1, both ends included.
 struct Range
 {
     int first, last;
@@ -73,7 +72,7 @@ bool Finished(pid_t pid)
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-/// POV-Ray may always read and write in its working folder, so frames are rendered there.
+/// POV-Ray may always write in its working folder, so frames are rendered there.
 class WorkingFolder
 {
   public:

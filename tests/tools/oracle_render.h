@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file oracle_render.h
-/// The accumulation buffer (Haeberli and Akeley): one lens point of a tilted thin lens is a linear camera, exact in stock POV-Ray.
+/// Accumulation buffer (Haeberli and Akeley): a lens point of a tilted thin lens is a linear camera, exact in stock POV-Ray.
 
 #ifndef WITNESS_ORACLE_RENDER_H
 #define WITNESS_ORACLE_RENDER_H
@@ -21,18 +21,17 @@ namespace witness
 struct RenderSettings
 {
     std::string povray = "/usr/bin/povray";
-    std::filesystem::path scenes;            ///< folder with the case's scene files
+    std::filesystem::path scenes;            ///< case's scene files
     std::filesystem::path work;
     int batches = 8;                         ///< independent, for the standard error
     int samples = 512;                       ///< pinholes in a batch; a power of two
-    int processes = 16;                      ///< at once: each idles 0.2 s per frame
+    int processes = 16;                      ///< simultaneous: each idles 0.2 s per frame
     std::uint32_t seed = 1;
 };
 
-/// One lens point for each frame from `first`.
 std::string AnimationScene(const OracleCase& description, const CameraSolved& camera, const std::vector<LensPoint>& points, int first);
 
-/// @throws std::runtime_error a failed program, or a missing frame.
+/// @throws std::runtime_error
 Reference RenderOracle(const OracleCase& description, const RenderSettings& settings);
 
 } // namespace witness

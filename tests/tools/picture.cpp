@@ -28,7 +28,7 @@ std::unique_ptr<OIIO::ImageInput> OpenPicture(const std::string& path)
 {
     if (!std::filesystem::exists(path))
         throw MissingPicture("no such picture: " + path);
-    // keeps stored values: no division by alpha
+    // stored values: no division by alpha
     OIIO::ImageSpec wish;
     wish.attribute("oiio:UnassociatedAlpha", 1);
     std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path, &wish);
@@ -132,7 +132,7 @@ void WriteReference(const std::string& path, const Reference& reference)
     spec.channelformats = {f, f, f, h, h, h};
     spec.attribute("compression", "zip");
     spec.attribute("witness:batches", reference.batches);
-    // the writer converts floats; mixed types would need a packed buffer
+    // mixed types would need a packed buffer
     std::vector<float> values;
     values.reserve(2 * reference.mean.Size());
     for (std::size_t pixel = 0; pixel < reference.mean.Size(); pixel += 3)

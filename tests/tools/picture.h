@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file picture.h
-/// Linear RGB in floats; references have mean and standard error.
+/// Linear RGB in floats.
 
 #ifndef WITNESS_PICTURE_H
 #define WITNESS_PICTURE_H
@@ -25,14 +25,13 @@ struct Picture
     bool SameSize(const Picture& other) const { return width == other.width && height == other.height; }
 };
 
-/// The error is zero if unknown.
 struct Reference
 {
     Picture mean, error;
     int batches = 1;  ///< independent pictures in the mean; 1: the error is unknown
 };
 
-/// The file exists but is undecodable, or has too few channels.
+/// The file is undecodable, or has too few channels.
 class UnreadablePicture : public std::runtime_error
 {
   public:

@@ -23,7 +23,6 @@ OUTCOMES = {
     "stale reference": 9,
     "timeout": 10,
 }
-# exit codes of `compare` (compare.cpp)
 COMPARE_OUTCOMES = ["same", "failure", "different", "missing reference", "no output", "wrong size", "unreadable", "not finite"]
 
 
@@ -47,10 +46,7 @@ def command_of(job, output):
 
 
 def render(job, folder, output):
-    """Returns the command. Raises Trouble.
-
-    POV-Ray may always read and write in its working folder, so the scene's files are copied there.
-    """
+    """POV-Ray may always use its working folder, so the scene's files are copied there."""
     folder.mkdir(parents=True, exist_ok=True)
     for source in povray_run.sources(job.scene):
         shutil.copyfile(source, folder / source.name)

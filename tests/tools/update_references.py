@@ -49,13 +49,12 @@ def series_sha256():
 
 
 def upstream():
-    """Without Debian's revision: accepted revisions hold the same patches (docs/patching.md)."""
+    """Without Debian's revision: accepted revisions hold the same patches."""
     pin = json.loads((manifest.ROOT / "povray-src" / "upstream.json").read_text())
     return " ".join(str(pin[field]) for field in ("package", "upstream_version"))
 
 
 def make_oracle(entry, args, work):
-    """Returns picture, command, program, number of samples."""
     if not args.oracle:
         raise SystemExit(f"{entry.name}: give --oracle")
     output = work / "oracle.exr"
@@ -82,7 +81,7 @@ def make_oracle(entry, args, work):
 
 
 def make_render(entry, args, work):
-    """Mean of several, each larger by a pixel all round, with other samples in the centre."""
+    """Mean of pictures with different margins, and so different samples."""
     if not args.povray:
         raise SystemExit(f"{entry.name}: give --povray")
     files = []

@@ -1,9 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-/// @file vector.h
-/// No code is shared with the fork.
-
 #ifndef WITNESS_VECTOR_H
 #define WITNESS_VECTOR_H
 

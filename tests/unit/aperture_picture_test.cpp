@@ -25,7 +25,6 @@ namespace
 
 const double nearlyOne = std::nextafter(1.0, 0.0);
 
-/// A brightness with exact integrals over bins of 1/16 of the lens.
 struct Picture
 {
     const char* name;

@@ -50,19 +50,17 @@ struct Outline
 
     double Tolerance() const { return curvature == 0 ? 1e-12 : 2e-5; }
 
-    /// Relative radius: 0 at the centre, 1 on the edge.
     double Size(const AperturePoint& p) const
     {
         if (blades == 0)
             return std::hypot(p.a, p.b);
-        // the blade whose middle lies nearest to the point's direction bounds it
+        // the blade nearest to the point's direction bounds it
         const double turns = (std::atan2(p.b, p.a) - angle) / (2 * M_PI);
         const double normal = angle + (2 * std::floor(turns * blades) + 1) * M_PI / blades;
         const double ahead = p.a * std::cos(normal) + p.b * std::sin(normal);
         return curvature == 0 ? ahead / std::cos(M_PI / blades) : OnArc(p, ahead);
     }
 
-    /// Relative radius on the arc whose centre lies on the other side.
     double OnArc(const AperturePoint& p, double ahead) const
     {
         const double radius = 1 / curvature, half = std::sin(M_PI / blades);
@@ -114,7 +112,7 @@ TEST_P(ApertureOutline, TheMapPreservesAreaEverywhere)
         const double u = unit(random), v = unit(random);
         const AperturePoint p = aperture(u, v), q = aperture(u + h, v), r = aperture(u, v + h);
         const double jacobian = ((q.a - p.a) * (r.b - p.b) - (q.b - p.b) * (r.a - p.a)) / (h * h);
-        // difference quotients fail across a crease between smooth parts
+        // difference quotients fail across a crease
         if (std::fabs(jacobian - GetParam().Area()) > 1e-4)
             ++creases;
     }
@@ -221,7 +219,7 @@ TEST(ApertureGraded, FollowsItsBrightnessLaw)
                 ASSERT_LT(size, 1 + outline.Tolerance());
                 for (int k = 0; k < 3; ++k)
                     within[k] += size < 0.25 * (k + 1);
-                // steep at the rim, so the outline's tolerance counts
+                // the law is steep at the rim
                 const double least = law(std::max(0.0, size - outline.Tolerance()));
                 const double most = law(std::min(1.0, size + outline.Tolerance()));
                 const double brightness = aperture.Density(p) * outline.Area();
@@ -261,7 +259,7 @@ TEST(ApertureDisc, DirectionsAreKept)
 
 TEST(AperturePolygon, HasItsCornersOnTheUnitCircle)
 {
-    // finds corners as the outermost of 4 x 10^4 points per side
+    // corners: the outermost of 4 x 10^4 points per side
     for (const Outline& outline : {Outline{3, 0.4}, Outline{5, -2}, Outline{Aperture::maxBlades, 0.001}})
     {
         const Aperture aperture = outline.Make();

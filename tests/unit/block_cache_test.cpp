@@ -29,7 +29,6 @@ SamplingLimits DenoisedLimits()
     return limits;
 }
 
-/// Noise whose samples take random times.
 void SlowNoise(const SampleId& id, SampleResult& result)
 {
     if (id.index == 0 && PixelHash(id.x, id.y, 0, 9) % 64 == 0)

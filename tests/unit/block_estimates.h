@@ -12,7 +12,6 @@
 namespace tilt_lens
 {
 
-/// Samples every active pixel once, up to `until` samples.
 inline void TakeRound(BlockEstimate& estimate, std::uint32_t until, const Tracer& trace)
 {
     const Area& area = estimate.area;

@@ -41,7 +41,7 @@ SamplingLimits Denoised(double variance)
     return limits;
 }
 
-/// Light kept by plain means if one sample in 64 is bright.
+/// Light kept by plain means, with one bright sample in 64.
 double LightKept(float blur)
 {
     const Tracer trace([blur](const SampleId& id, SampleResult& result)
@@ -53,14 +53,13 @@ double LightKept(float blur)
     return 64.0 * light / Square(side);
 }
 
-/// Pixels that decide alone would stop if their samples are dark, and lose light.
 TEST(Block, BlurredPixelsDecideTogetherAndLoseNoLight)
 {
     EXPECT_LT(LightKept(0.0f), 0.6);
     EXPECT_GT(LightKept(6.0f), 0.8);
 }
 
-/// Only the left block's later samples hit the lamp, whose light must reach the right block.
+/// Only the left block's later samples hit the lamp.
 TEST(Block, UsesLaterRoundsOfItsNeighbours)
 {
     const std::uint32_t seen = kSide + 4;

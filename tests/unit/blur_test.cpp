@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Compares blur with light through the ends of the lens diameter that is parallel to the film.
+// Compares blur with light through the ends of the lens diameter parallel to the film.
 
 #include "tilt_lens/camera/ray.h"
 
@@ -39,7 +39,6 @@ Vec3 SharedDiameter(const Lens& lens)
     return Length(across) > 1e-9 ? Normalized(across) : lens.axisRight;
 }
 
-/// Frame point that light from T * chief reaches through a point of the lens.
 Vec3 FramePoint(const Lens& lens, const Vec3& chief, double T, const Vec3& lensPoint)
 {
     const Vec3 path = chief - lensPoint / T;

@@ -29,8 +29,8 @@ struct Found
     double cost = 0.0;
 };
 
-/// A search in a scene where a variance costs `samplesOf` it, all of whose blocks are sampled.
-/// @param few  what the trials' blocks take above the least, over what all take; the trials' standard error is as large as the difference
+/// A search in a scene where a variance costs `samplesOf` it.
+/// @param few  excess of the trials' blocks above the least over that of all blocks; the standard error equals the difference
 Found Search(double budget, double few, const std::function<double(double)>& samplesOf)
 {
     constexpr double least = 4.0, share = 1.0 / 8.0;
@@ -68,7 +68,7 @@ TEST(NextVariance, ComesNearToTheBudgetAndNeverExceedsIt)
                 }
 }
 
-/// Half of the pixels have the same noise, and so double their samples at the same target.
+/// Half of the pixels have the same noise, so they double their samples together.
 TEST(NextVariance, SeesStepsInTheTrials)
 {
     const Found found = Search(12.0, 1.0, [](double variance) { return 0.5 * (variance < 3e-4 ? 16.0 : 8.0) + 2.0 + 1e-3 / variance; });
@@ -90,7 +90,6 @@ TEST(NextVariance, EndsWhereNothingIsNoisy)
     EXPECT_LE(found.rounds.size(), 12u);
 }
 
-/// The trials' blocks have few lamps.
 TEST(NextVariance, KeepsTheBudgetWhereTrialsAreTooLow)
 {
     for (const double few : {0.5, 0.6, 0.7})
@@ -104,7 +103,6 @@ TEST(NextVariance, KeepsTheBudgetWhereTrialsAreTooLow)
 
 TEST(BestRound, CountsLostSamples)
 {
-    // a tenth of the blocks are counted
     const BudgetRounds rounds{{1e-3, 8.0, 0.0, 0.8}, {5e-4, 11.0, 0.0, 1.1}, {1e-4, 20.0, 0.0, 2.0}};
     EXPECT_EQ(BestRound(rounds, 2.0, 20.5)->variance, 1e-4);
     EXPECT_EQ(BestRound(rounds, 2.0, 12.0)->variance, 5e-4) << "0.9 are lost";
@@ -115,7 +113,6 @@ TEST(BestRound, CountsLostSamples)
 
 constexpr std::uint32_t kWidth = 150, kHeight = 120;
 
-/// Calm at the left, ever noisier to the right, with an edge.
 void Picture(const SampleId& id, SampleResult& light)
 {
     Edge(id, light);
@@ -131,7 +128,7 @@ SamplingLimits DenoisedLimits(std::uint32_t max = 1024)
     return limits;
 }
 
-/// Takes all tasks with several threads; interrupted ones are asked for again.
+/// Interrupted tasks are asked for again.
 void RunPilot(BudgetPilot& pilot, int threads, const Tracer& trace)
 {
     const auto work = [&]
@@ -152,7 +149,7 @@ void RunPilot(BudgetPilot& pilot, int threads, const Tracer& trace)
         one.get();
 }
 
-/// Mean samples of the whole picture, which takes recorded ones where there are some.
+/// Mean samples of the whole picture, recorded ones included.
 double SamplesOf(const BudgetPilot& pilot, std::uint32_t width, std::uint32_t height, const Tracer& trace)
 {
     BlockCache cache(pilot.Limits(), width, height, {0, 0, width, height});
@@ -210,7 +207,6 @@ TEST(BudgetPilot, ChoosesTheSameWithManyThreadsAndInterruptions)
     EXPECT_EQ(many.Limits().variance, alone.Limits().variance);
 }
 
-/// With memory for a part of the samples, some blocks stand for all.
 TEST(BudgetPilot, SomeBlocksStandForAll)
 {
     constexpr double budget = 12.0, bytes = 1.9e7;

@@ -108,7 +108,7 @@ TEST(CameraRays, EqualRaysComputedOneByOneWithEmitterSampling)
     ExpectRaysOneByOne(SomeLens(), Aperture::Disc(), {}, {{{0.0, 0.0, 30.0}, 0.05, 1e4}});
 }
 
-/// At the frame's edge, rims block some samples, and some pixels see nothing.
+/// At the frame's edge, rims block some samples.
 TEST(CameraRays, EqualRaysComputedOneByOneWithAGlassLens)
 {
     Statement statement;
@@ -164,7 +164,6 @@ TEST(CameraRays, MayHaveAnyLength)
     }
 }
 
-/// No ray leads from a point to itself.
 TEST(CameraRays, AreChiefRaysWhereThereIsNoDirection)
 {
     Lens lens = SomeLens();

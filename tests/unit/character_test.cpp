@@ -15,7 +15,7 @@ namespace tilt_lens
 namespace
 {
 
-/// 36 by 24 mm, 1 mm per unit, 50 mm, f/2, focus at 2000.
+/// 36 by 24 mm, 50 mm, f/2, focus at 2000; 1 unit is 1 mm.
 Statement Block(const Character& character, double tilt = 0.0, double shiftRight = 0.0, double shiftUp = 0.0)
 {
     Statement given;
@@ -232,7 +232,6 @@ TEST(Character, AllRaysOfAFilmPointMeetOnTheSurfaceOfSharpFocus)
     });
 }
 
-/// A film displaced by the sag is in focus by the thin lens equation.
 TEST(FieldCurvature, IsTheSagOfTheImage)
 {
     const double s = 50.0 * 2000.0 / 1950.0, sag = 0.01;  // squares of sag/s are negligible

@@ -20,7 +20,7 @@ namespace
 constexpr int kSide = int(Settings::blockSide);
 constexpr double kLamp = 10.0;
 
-/// Blocks with four samples a pixel, of which one in `every` has hit a red lamp.
+/// Four samples a pixel; one in `every` has hit a red lamp.
 std::shared_ptr<const PaddedSpread> LampHitByOneIn(std::uint32_t every)
 {
     static const LensFootprint lens(Lens(), Aperture::Disc(), 3.0 * kSide, 3.0 * kSide);
@@ -55,7 +55,7 @@ TEST(CircleVariance, IsTheSameForPixelsThatHitTheLamp)
 {
     const auto spread = LampHitByOneIn(64);
     const CircleVariance circle(spread.get(), kMiddle, 4.0);
-    const Radiance met{Square(kLamp) / 4.0, 0.0, 0.0, 0.0, 0.0};  // one sample of four has hit it
+    const Radiance met{Square(kLamp) / 4.0, 0.0, 0.0, 0.0, 0.0};
     EXPECT_NEAR(circle.Blend(met)[0], circle.Blend(Radiance{})[0], 0.1 * met[0]);
     EXPECT_EQ(circle.AtLeast(met[0]), met[0]) << "its own noise is that of its own samples";
 }

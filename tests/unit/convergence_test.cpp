@@ -118,7 +118,6 @@ TEST(FirstRound, LoneVarianceCountsIsolatedPixelsOnly)
 
 TEST(UpdateConvergence, FollowsAnEdgeThatAllMissedAtFirst)
 {
-    // only a later round hits anything
     const auto late = [](const SampleId& id, SampleResult& result)
     { result = Grey(id.x == kMiddle.left + 5 && id.index >= 8 && id.index % 2 == 0 ? 1.0 : 0.0); };
     Prepared block(Limits(8, 1024, 1e-4), late);

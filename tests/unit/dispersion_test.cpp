@@ -18,7 +18,7 @@ namespace
 
 constexpr double kWavelengths[] = {405.0, 450.0, 486.1327, 550.0, 587.5618, 650.0, 695.0};
 
-/// A biconvex lens of BK7, its stop far behind it.
+/// A biconvex lens of BK7 far before its stop.
 const char* const kSinglet = "50 6 1.5168 20 64.17\n-70 10 1 20\n0 0 0 8\n";
 
 TEST(Dispersion, ReproducesTheAbbeNumber)
@@ -34,7 +34,7 @@ TEST(Dispersion, ReproducesTheAbbeNumber)
     EXPECT_EQ(IndexAt(1.7, 0.0, 400.0), 1.7);
 }
 
-/// Indices at the lines r, C, F', e, g, h in Schott's catalogue.
+/// Lines r, C, F', e, g, h in Schott's catalogue.
 TEST(Dispersion, MatchesRealGlasses)
 {
     const double lines[] = {706.5188, 656.2725, 479.9914, 546.0740, 435.8343, 404.6561};
@@ -47,7 +47,6 @@ TEST(Dispersion, MatchesRealGlasses)
     }
 }
 
-/// Paraxial focus of infinity, in the lens's frame.
 double FocusOf(const GlassLens& lens)
 {
     GlassRay ray{{1e-3, 0.0, 200.0}, {0.0, 0.0, -1.0}};
@@ -72,7 +71,7 @@ TEST(Dispersion, SingletMatchesTheThickLensEquation)
     }
 }
 
-/// Thin lenses in contact with f1 V1 = -f2 V2: C and F meet, wavelengths between them focus nearer.
+/// Thin lenses in contact with f1 V1 = -f2 V2: C and F meet.
 TEST(Dispersion, AchromatHasTheSecondarySpectrum)
 {
     const double f = 100.0, V1 = 64.17, V2 = 36.37, n1 = 1.5168, n2 = 1.62004;
@@ -146,7 +145,7 @@ TEST(Dispersion, RaysOfAColourFocusWhereItsLensDoes)
     ASSERT_TRUE(camera.HasColours());
     ASSERT_TRUE(LensCamera(shared, Aperture::Disc(), {}).HasColours());
     EXPECT_FALSE(LensCamera(Made(kSinglet, false), Aperture::Disc(), {}).HasColours());
-    // paraxial rays of a film point meet by the thin lens equation of their colour
+    // thin lens equation of each colour
     const double film = lens.filmDistance * Dot(lens.axis, lens.normal);
     const FilmPoint onAxis{0.0, -Dot(lens.normal, lens.axisUp) / Dot(lens.normal, lens.axis) * lens.filmDistance / 24.0};
     double apart[2];

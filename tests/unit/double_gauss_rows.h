@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file double_gauss_rows.h
-/// The double Gauss of pbrt's dgauss.50mm.dat (US patent 2,673,491), as rows of a prescription.
+/// Prescription of pbrt's dgauss.50mm.dat (US patent 2,673,491).
 
 #ifndef TILT_LENS_TESTS_DOUBLE_GAUSS_ROWS_H
 #define TILT_LENS_TESTS_DOUBLE_GAUSS_ROWS_H

@@ -21,7 +21,7 @@ namespace
 constexpr std::uint32_t kWidth = 64, kHeight = 48;
 constexpr double kBackground = 0.3;
 
-/// Lens 1 wide, at the origin, along z, focus at 10, plane turned by `turn` degrees.
+/// Lens 1 wide at the origin, focus at 10; `turn` in degrees.
 Lens LensOf(double turn, const Character& character = {})
 {
     Statement statement;
@@ -57,7 +57,7 @@ struct World
     }
 };
 
-/// Mean of n samples, variance of one, and variance within the strata of emitter and plain samples.
+/// Mean of n samples, and variances of one.
 struct Pixel
 {
     double mean, variance, withinStrata;
@@ -159,7 +159,6 @@ struct Prepared
     }
 };
 
-/// Where an undistorted picture shows the lamp's centre.
 std::pair<int, int> PixelOf(const Lens& lens, const Emitter& lamp)
 {
     const double scale = lens.direction.z / lamp.centre.z;
@@ -190,7 +189,7 @@ TEST(EmitterSampling, IsUnbiased)
         for (const auto& [x, y] : PixelsAround(lens, one))
         {
             if (emitterSampled.TargetsOf(x, y).share == 0.0)
-                continue;  // no emitter samples
+                continue;
             const std::uint32_t n = 1u << 16;
             const Pixel a = SampleOf(emitterSampled, lens, world, x, y, n, 1), p = SampleOf(plain, lens, world, x, y, n, 2);
             const double error = std::sqrt((a.variance + p.variance) / n) + 1e-9;
@@ -245,7 +244,7 @@ bool LampIsWithin(int pixels, const Lens& lens, const Case& one, std::uint32_t x
     });
 }
 
-/// Blur spreads these lamps over 3 pixels at most: farther away a few samples suffice.
+/// Blur spreads these lamps over at most 3 pixels.
 TEST(EmitterSampling, ReachesEveryPixelThatSeesALamp)
 {
     for (const Case& one : Cases())

@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Images are where reflected rays seem to come from, and none is missing.
-
 #include "tilt_lens/sampling/flat_mirror.h"
 
 #include <cmath>
@@ -45,7 +43,7 @@ struct Path
     Vec3 origin, direction;
 };
 
-/// Index of the first mirror that the ray meets, or the number of mirrors; the ray ends there, reflected.
+/// Ends the ray at the first mirror; returns its index, or the number of mirrors.
 std::size_t Reflect(Path& path, const std::vector<FlatMirror>& mirrors, std::size_t before)
 {
     double nearest = std::numeric_limits<double>::infinity();
@@ -93,7 +91,7 @@ std::vector<Emitter> ImagesOf(const Emitter& source, const std::vector<FlatMirro
 
 TEST(FlatMirror, ImageIsBehindTheMirror)
 {
-    const FlatMirror wall{{-1.0, -1.0, 5.0}, {{0.0, 2.0, 0.0}, {2.0, 0.0, 0.0}}, false, 0.5};  // faces the lens
+    const FlatMirror wall{{-1.0, -1.0, 5.0}, {{0.0, 2.0, 0.0}, {2.0, 0.0, 0.0}}, false, 0.5};
     const std::vector<Emitter> images = ImagesOf({{1.0, 0.0, -2.0}, 0.1, 8.0, 1.0}, {wall});
     ASSERT_EQ(images.size(), 1u);
     EXPECT_NEAR(Length(images[0].centre - Vec3{1.0, 0.0, 12.0}), 0.0, 1e-12);
@@ -133,7 +131,6 @@ TEST(FlatMirror, ComputingIsBounded)
         ASSERT_TRUE(image.centre.z == 9.0 || image.centre.z == -11.0) << "the largest mirror is kept";
 }
 
-/// Rays from random points of the lens, followed through up to two random mirrors.
 TEST(FlatMirror, EveryReflectedRayToALampPointsAtAnImage)
 {
     Random random(7);
@@ -156,7 +153,7 @@ TEST(FlatMirror, EveryReflectedRayToALampPointsAtAnImage)
                 break;  // the mirror may cut the lens
             eye = eye - 2.0 * DistanceOf(eye, mirrors[hit]) * NormalOf(mirrors[hit]);
             Path beyond = path;
-            Reflect(beyond, mirrors, last);  // the lamp is before the next mirror
+            Reflect(beyond, mirrors, last);
             const double way = Length(beyond.origin - path.origin) > 0.0 ? Length(beyond.origin - path.origin) : 5.0;
             const Vec3 along = Normalized(path.direction);
             const Emitter lamp{path.origin + Uniform(random, 0.1, 0.9) * way * along, 0.05, 1e6};

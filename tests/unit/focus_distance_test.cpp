@@ -23,7 +23,7 @@ Request Turned(double tilt, double swing)
     return request;
 }
 
-/// Image distance by 1/object + 1/image = 1/f along the lens's normal.
+/// By 1/object + 1/image = 1/f along the lens normal.
 double ImageDistance(const Lens& lens, const Vec3& point)
 {
     return Dot(point, lens.axis) * lens.focalLength / (Dot(point, lens.normal) - lens.focalLength);

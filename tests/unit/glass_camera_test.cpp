@@ -19,7 +19,7 @@ namespace tilt_lens
 namespace
 {
 
-/// Nearly ideal near its axis; the stop is in the lens.
+/// Nearly ideal near its axis.
 const char* const kThin = "100 1e-6 1.5 20\n-100 1e-6 1 20\n0 0 0 10\n";
 
 /// 36 by 24 mm; 1 unit is 1 mm.
@@ -117,7 +117,6 @@ Counted Count(const GlassCamera& camera, const GlassLens& glass, const Aperture&
 
 TEST(GlassCamera, ThinGlassImagesAsTheIdealLens)
 {
-    // near the axis, rays meet the plane of sharp focus where the ideal ray does
     const Camera setting = Camera(kThin).FStop(50.0).Tilt(2.0, 1.0).Shift(0.5, -0.3);
     const SolvedLens lens = setting.Solved();
     const GlassCamera camera = setting.Made();
@@ -132,7 +131,7 @@ TEST(GlassCamera, ThinGlassImagesAsTheIdealLens)
         const LensRay& ray = sample.ray;
         const double step = (1.0 - Dot(lens.focus, ray.origin)) / Dot(lens.focus, ray.direction);
         const Vec3 met = ray.origin + step * ray.direction;
-        // stopped down so far that aberrations are below a wrong sign's effect
+        // f/50: aberrations stay below the effect of a wrong sign
         EXPECT_LT(Length(met - focused), 1e-4 * Length(focused)) << film.x << " " << film.y;
         EXPECT_NEAR(Dot(ray.direction, lens.axis), Dot(chief, lens.axis), 1e-12);
         EXPECT_NEAR(ray.w, Dot(lens.focus, chief), 1e-15);

@@ -24,7 +24,7 @@ PrescriptionRow Row(double radius, double thickness, double index, double diamet
     return row;
 }
 
-/// A lens with one element, `stopBefore` mm behind its stop.
+/// `stopBefore`: mm from the stop to the lens.
 Prescription Singlet(double first, double second, double thickness, double index, double stopBefore = 1.0, double diameter = 20.0)
 {
     Prescription lens;
@@ -85,7 +85,7 @@ TEST(CardinalPoints, PupilsAreImagesOfTheStop)
     EXPECT_NEAR(points.entrancePupil, 20.0, 1e-6);
     EXPECT_NEAR(points.entranceRadius, 1.0, 1e-12);
     EXPECT_NEAR(points.fNumber, 50.0 / 8.0, 1e-8);
-    EXPECT_NEAR(1.0 / points.exitPupil, 1.0 / 20.0 - 1.0 / 50.0, 1e-8);  // 1/image = 1/f - 1/object, on the scene's side
+    EXPECT_NEAR(1.0 / points.exitPupil, 1.0 / 20.0 - 1.0 / 50.0, 1e-8);  // 1/image = 1/f - 1/object
     EXPECT_NEAR(points.exitMagnification, 50.0 / 30.0, 1e-8);
     // a stop in the front focal point makes a lens telecentric
     EXPECT_GT(std::fabs(GlassLens(Singlet(50.0, -50.0, 1e-9, 1.5, 50.0)).Cardinal().exitPupil), 1e6);
@@ -112,12 +112,10 @@ TEST(GlassLens, ApproachesTheParaxialLimit)
         const CardinalPoints& points = lens.Cardinal();
         const double film = -points.separation - points.focalLength, height = 1e-3;
         StopPoint stop;
-        // focused at infinity, rays leave parallel
         GlassRay ray{{0.0, 0.0, film}, Towards({0.0, 0.0, film}, {height, 0.0, -points.separation})};
         ASSERT_EQ(lens.Trace(ray, stop), Passage::Passed);
         EXPECT_NEAR(ray.direction.x, 0.0, 1e-6 * height / points.focalLength);
         EXPECT_NEAR(ray.origin.x, height, 1e-6 * height);
-        // a ray towards H' leaves from H in the same direction
         ray = {{height, 0.0, film}, Towards({height, 0.0, film}, {0.0, 0.0, -points.separation})};
         const Vec3 before = ray.direction;
         ASSERT_EQ(lens.Trace(ray, stop), Passage::Passed);
@@ -134,7 +132,7 @@ TEST(GlassLens, ApproachesTheParaxialLimit)
 
 TEST(GlassLens, HyperboloidFocusesParallelLight)
 {
-    // conic constant -n^2: parallel rays meet
+    // conic constant -n^2
     const double n = 1.5;
     Prescription prescription = Singlet(0.0, -30.0, 8.0, n, 1.0, 50.0);
     prescription.rows[0].diameter = 60.0;
@@ -154,7 +152,7 @@ TEST(GlassLens, HyperboloidFocusesParallelLight)
 
 TEST(GlassLens, SphereHasAplanaticPoints)
 {
-    // a ball lens: rays aimed n R behind the centre meet R/n behind it
+    // rays aimed n R behind the centre meet R/n behind it
     const double n = 1.6, R = 20.0;
     Prescription prescription;
     prescription.rows = {Row(0.0, 1.0, 1.0, 200.0), Row(R, 50.0, n, 40.0), Row(0.0, 0.0, 1.0, 200.0)};
@@ -293,7 +291,6 @@ TEST(GlassLens, ReportsTheFateOfARay)
     ray = {{0.0, 0.0, rear - 10.0}, Normalized(Vec3{0.8, 0.0, 1.0})};
     EXPECT_EQ(lens.Trace(ray, stop), Passage::Stopped);
     EXPECT_GT(stop.a, 1.0);
-    // a plane first surface totally reflects steep rays from within
     Prescription flat;
     flat.rows = {Row(0.0, 30.0, 1.8, 100.0), Row(-20.0, 1.0, 1.0, 38.0), Row(0.0, 0.0, 1.0, 38.0)};
     flat.stop = 2;

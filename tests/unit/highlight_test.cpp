@@ -1,8 +1,6 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// The emitter covers most of a highlight's light, from every point of the lens.
-
 #include "tilt_lens/sampling/highlight.h"
 
 #include <algorithm>
@@ -18,7 +16,7 @@ namespace
 
 constexpr double kLensDiameter = 0.5;
 
-/// Share of a sphere's highlight, seen from a point, that lies within the emitter. Points are spread evenly over the sphere, and weighted by the light that they send.
+/// Share of a sphere's highlight within the emitter, by evenly spread points, weighted by light.
 double Covered(const GlossySphere& sphere, const Vec3& light, const Vec3& eye, const Emitter& emitter)
 {
     constexpr int points = 200000;

@@ -17,7 +17,7 @@ namespace tilt_lens
 namespace
 {
 
-/// Thin lenses of 50 and -80 mm; the second moves towards the film, 68 mm behind the first.
+/// Thin lenses of 50 and -80 mm; the second moves towards the film at 68 mm.
 const char* const kThinGroups = R"({
  "object-distance": ["infinity", 585.714],
  "surfaces": [
@@ -263,7 +263,6 @@ TEST(InnerFocus, RefusesInconsistentData)
     ExpectError(kThinGroups, "[\"infinity\", 585.714]", "[\"infinity\", 585.714, 600]", 2, "object distance of 600");
     ExpectError(kThinGroups, "585.714", "700", 2, "is focused at 585.7");
     ExpectError(kThinGroups, "[20, 28]", "20", 2, "are all moved thicknesses there");
-    // a zoom's lists lack object-distance
     ExpectError(kThinGroups, "\"object-distance\": [\"infinity\", 585.714],", "", 6, "a zoom");
 }
 

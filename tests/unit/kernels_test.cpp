@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// All variants of the kernels give the same bits. Skipped on processors that know one.
+// Skipped on processors that know one variant.
 
 #include "tilt_lens/math/kernels.h"
 

@@ -85,7 +85,6 @@ TEST(LensCamera, EachRuleHoldsForTheLensesThatItNames)
     }
 }
 
-/// A thin lens has the distorted chief ray, glass has rays within its image circle only.
 TEST(LensCamera, MiddleRaysPassTheMiddle)
 {
     const Setting distorts = Setting().With(&Character::distortion1, -0.1);

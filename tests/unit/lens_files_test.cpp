@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Compares scenes/include/lenses with their sources: a wrong digit would spoil the image.
+// Compares scenes/include/lenses with their sources.
 
 #include <cmath>
 #include <fstream>
@@ -29,7 +29,6 @@ std::string Whole(const std::string& name)
     return text.str();
 }
 
-/// Quoted fields may contain commas.
 std::vector<std::string> Fields(const std::string& line)
 {
     std::vector<std::string> fields(1);
@@ -49,7 +48,7 @@ std::vector<std::string> Fields(const std::string& line)
 struct Stated
 {
     std::string file, patent;
-    double focalLength, fNumber, backFocus;  ///< backFocus may be 0: not stated
+    double focalLength, fNumber, backFocus;  ///< backFocus 0: not stated
 };
 
 std::vector<Stated> Lenses()
@@ -69,7 +68,7 @@ std::vector<Stated> Lenses()
     return lenses;
 }
 
-/// Root mean square radius of a star's image in best focus, relative to the focal length.
+/// Root mean square radius in best focus, relative to the focal length.
 double AxialSpot(const GlassLens& lens, double fNumber)
 {
     const CardinalPoints& points = lens.Cardinal();
@@ -116,12 +115,12 @@ TEST(LensFiles, FormSharpImages)
     {
         SCOPED_TRACE(stated.file);
         const GlassLens lens(ReadPrescription(Whole(stated.file)));
-        // 0.01 mm for 50 mm, at twice the f-number
+        // 0.01 mm for 50 mm
         EXPECT_LT(AxialSpot(lens, 2.0 * lens.Cardinal().fNumber), 0.01 / 50.0);
     }
 }
 
-/// Root mean square radius, micrometres, on the axis at the stated back focus, for the d, C and F lines.
+/// Root mean square radius, micrometres, on the axis at the stated back focus, for d, C, F.
 double SpotOfThreeColours(const Stated& stated)
 {
     const Prescription prescription = ReadPrescription(Whole(stated.file));
@@ -149,8 +148,8 @@ double SpotOfThreeColours(const Stated& stated)
     return 1000.0 * std::sqrt(squares / passed);
 }
 
-/// Source: spot-report.txt of the ray tracer jfotoptix, in the repository BeamFour/Beam42. Leaves out lenses with glasses of abnormal
-/// dispersion, or whose focal length and back focus differ there.
+/// Source: spot-report.txt of the ray tracer jfotoptix (repository BeamFour/Beam42), except lenses with glasses of abnormal dispersion, or
+/// with another focal length or back focus there.
 TEST(LensFiles, SpotsMatchAnotherProgram)
 {
     const std::map<std::string, double> published = {

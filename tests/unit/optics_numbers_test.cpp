@@ -178,7 +178,7 @@ TEST(PhysicalUnits, ApertureIsTwiceTheDiameterAndScalesWithTheCamera)
     EXPECT_EQ(Length(MakeRay(Solved(request), 0.2, 0.3, 0.7, 0.7).origin), 0.0);
 }
 
-/// Longest extent of an axis point's blur, pixels, over all lens points.
+/// Longest extent, pixels, of an axial point's blur.
 double BlurInPixels(const Lens& lens, double distance, double width)
 {
     const Vec3 shared = Dot(lens.normal, lens.axis) < 1 - 1e-12 ? Normalized(Cross(lens.axis, lens.normal)) : lens.axisRight;
@@ -186,7 +186,7 @@ double BlurInPixels(const Lens& lens, double distance, double width)
     const Vec3 rim = lens.diameter / 2 * shared;
     const Vec3 path = (distance * lens.axis - rim) * (Length(chief) / distance);
     const Vec3 frame = path + Dot(lens.focus, path) / (1.0 - Dot(lens.focus, rim)) * rim;
-    // rounding leaves `shared` a component along the axis, large where the normal is nearly parallel to it
+    // rounding leaves `shared` a component along the axis
     return 2 * std::fabs(Dot(frame - chief, shared)) * width / Length(lens.right);
 }
 
@@ -203,7 +203,7 @@ TEST(SharpRange, EndsAtTheGivenBlur)
         const SharpRange range = SharpRangeOf(lens, width, pixels);
         if (!std::isfinite(range.near))
             continue;
-        // roundings of the film's distance, relative to the blur's radius
+        // rounding of the film's distance over the blur's radius
         const double radius = pixels / 2 * Length(lens.right) / width;
         const double rounding = 4 * std::numeric_limits<double>::epsilon() * Dot(lens.direction, lens.axis) / radius;
         ASSERT_NEAR(BlurInPixels(lens, range.near, width) / pixels, 1.0, rounding);
@@ -239,7 +239,6 @@ TEST(SharpRange, HyperfocalDistanceIsTheTextbooks)
 
 TEST(Numbers, ParallelLensReadsParallelForAnyOrientation)
 {
-    // rounding must not show as 1e-15 degrees or 1e17 units
     Random random(7);
     for (int i = 0; i < 1000; i++)
     {

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Checks laws of textbooks for solved lenses; no formula of the library is repeated.
+// Checks textbook laws; repeats no formula of the library.
 
 #include "tilt_lens/camera/optics.h"
 
@@ -169,7 +169,7 @@ TEST_P(EveryFamily, ObeysTheHingeRule)
     {
         const double turn = AngleBetween(lens.normal, lens.axis);
         EXPECT_NEAR(HingeDistanceOf(lens) * std::sin(turn) / lens.focalLength, 1.0, 4e-15 / std::sin(turn));
-        // in the hinge line, the plane of sharp focus meets the plane through the lens parallel to the film
+        // the hinge line lies in the plane of sharp focus and in the plane through the lens parallel to the film
         const Vec3 t = CameraPart(lens, lens.normal), k = CameraPart(lens, lens.focus);
         const double across = std::hypot(t.x, t.y);
         const Vec3 foot{HingeDistanceOf(lens) * t.x / across, HingeDistanceOf(lens) * t.y / across, 0.0};

@@ -22,7 +22,6 @@ SampleResult Result(double value)
     return result;
 }
 
-/// Rounds have 4, 8, 16, ... samples.
 PixelStatistics StatisticsOf(const std::vector<double>& values)
 {
     PixelStatistics pixel;

@@ -14,7 +14,6 @@ namespace tilt_lens
 namespace
 {
 
-/// The best case of stratified samples.
 void Ramp(const SampleId& id, SampleResult& result)
 {
     result = Grey(SequencePointOf(id).lensU);
@@ -46,10 +45,9 @@ TEST(VarianceRatio, IsAboutOneForIndependentSamples)
             sum += ratio / (4 * blocks);
         }
     }
-    EXPECT_GT(sum, 0.85);  // ratios above 1 are clamped, so the mean lies below 1
+    EXPECT_GT(sum, 0.85);  // ratios above 1 are clamped
 }
 
-// Each doubling divides a ramp's variance by eight.
 TEST(VarianceRatio, FallsWithTheNumberOfStratifiedSamples)
 {
     double before = 1.0;

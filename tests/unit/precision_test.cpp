@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Compares rays with long double, and whole cameras with 50 digits.
+// Compares rays with long double, and cameras with 50 digits.
 
 #include <cfloat>
 #include <cstdio>
@@ -24,7 +24,7 @@ static_assert(LDBL_MANT_DIG >= 64, "the rays' reference needs more digits than d
 const FocusFamily kFamilies[] = {FocusFamily::LensTurn, FocusFamily::FocusTurn, FocusFamily::FocalPlane, FocusFamily::FocalPoints};
 const char* const kFamilyNames[] = {"lens turn", "focus turn", "focal plane", "focal points"};
 
-/// Error in last places (2^-52) of the true length.
+/// Error in last places (2^-52).
 template<typename Real>
 double Ulps(const Vec<Real>& value, const Vec<Real>& truth)
 {
@@ -82,7 +82,6 @@ struct Tally
 
 TEST(Precision, CamerasKeepTheirDigitsFromStatementToRay)
 {
-    // a scene's numbers count as exact; the stress test tries ten million cameras
     Random random(22);
     Tally tallies[4];
     const int cameras = 20000;

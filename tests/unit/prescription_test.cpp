@@ -97,7 +97,7 @@ TEST(Prescription, AllFormsAgree)
     for (const char* text : {kPbrt, kLentil, kIset})
         ExpectTriplet(ReadPrescription(text));
     ExpectTriplet(ReadPrescription(kLentil, "a triplet"));
-    // a stop may have the index of air, and a lens may be alone in its file
+    // the stop may have the index of air; the lens may be alone in its file
     ExpectTriplet(ReadPrescription(With(kPbrt, "0    1    0 ", "0    1    1 ")));
     ExpectTriplet(ReadPrescription(With(kIset, "\"ior\": 0", "\"ior\": 1")));
     ExpectTriplet(ReadPrescription(With(With(kLentil, "\"a triplet\": {", ""), "]\n  }", "]")));
@@ -108,7 +108,6 @@ TEST(Prescription, PlanesBesideAMarkedStopAreRims)
     const Prescription lens = ReadPrescription(With(kPbrt, "-25  1.5", "0 2 1 8\n-25  1.5"));
     EXPECT_EQ(lens.stop, 2u);
     EXPECT_EQ(lens.rows.size(), 8u);
-    // without a mark the files look alike
     ExpectError(With(With(kPbrt, "-25  1.5", "0 2 1 8\n-25  1.5"), "0    1    0 ", "0    1    1 "), 6, "second stop");
 }
 

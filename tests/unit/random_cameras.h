@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file random_cameras.h
-/// Random solvable cameras, printable for failures: angles of view from 10 to 100 degrees, lens turns up to 30, planes up to 75 degrees,
+/// Random solvable cameras: angles of view 10 to 100 degrees, lens turns up to 30, planes up to 75 degrees,
 /// focus from 5 to 10^4 focal lengths, f/1 to f/32.
 
 #ifndef TILT_LENS_TESTS_RANDOM_CAMERAS_H
@@ -78,7 +78,7 @@ inline std::ostream& operator<<(std::ostream& out, const Request& request)
     return out << text.str();
 }
 
-/// Along z; 1.6 by 1.2, angle of view 53 degrees.
+/// 1.6 by 1.2, angle of view 53 degrees.
 inline Request PlainRequest()
 {
     Request request;
@@ -162,7 +162,6 @@ inline Request RandomRequest(Random& random, FocusFamily family, bool focalLengt
     return request;
 }
 
-/// True if the film is well behind the lens.
 inline bool CouldBeBuilt(const Lens& lens)
 {
     for (int corner = 0; corner < 4; corner++)

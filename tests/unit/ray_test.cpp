@@ -131,7 +131,7 @@ TEST(Ray, LensPointThatTouchesItsFilmPointHasADirection)
 
 TEST(Ray, KeepsItsDigitsWhereFocusAndRayAreNearlyParallel)
 {
-    // the plane passes 1e-7 below the lens, almost parallel to the middle row's rays: k is large, k.D is not
+    // the plane passes 1e-7 below the lens: k is large, k.D is not
     Random random(31);
     for (int i = 0; i < 200; i++)
     {
@@ -154,7 +154,7 @@ TEST(Ray, KeepsItsDigitsWhereFocusAndRayAreNearlyParallel)
 
 TEST(Ray, IsLinearInTheFilmPointForAFixedLensPoint)
 {
-    // a program without lenses can render one lens point at a time
+    // a program without lenses can then render single lens points
     ForManyCameras(2000, [](const Request&, const Lens& lens, Random& random)
     {
         const double a = random(-0.7, 0.7), b = random(-0.7, 0.7), x = random(-0.5, 0.5), y = random(-0.5, 0.5);
@@ -166,7 +166,7 @@ TEST(Ray, IsLinearInTheFilmPointForAFixedLensPoint)
     });
 }
 
-/// Film point on the line through the lens centre, by 1/g + 1/b = 1/f.
+/// By 1/g + 1/b = 1/f through the lens centre.
 Vec3 FilmPointOfLight(const Lens& lens, const Vec3& point, const Vec3& l)
 {
     const double g = Dot(point, lens.normal);
@@ -201,8 +201,8 @@ TEST(Ray, IsThePathOfLightFromSceneToFilm)
 
 TEST(Blur, IsTheEllipseOfTheTurnedDisc)
 {
-    // From the image of Z on the axis, the film sees the turned disc as an ellipse. Its half axes are v r / sqrt(1 - e^2) along the line
-    // of lens and film and v r cos(theta) / (1 - e^2) across, with e = r sin(theta) (1/s - 1/Z + 1/Z_focus).
+    // The film sees the turned disc from the axial image of Z. Half axes of the ellipse: v r / sqrt(1 - e^2) along the line of lens and
+    // film, v r cos(theta) / (1 - e^2) across. Here e = r sin(theta) (1/s - 1/Z + 1/Z_focus).
     ForManyCameras(2000, [](const Request&, const Lens& lens, Random& random)
     {
         const double Z = lens.focalLength * random.Power(0.7, 4.0), r = lens.diameter / 2;

@@ -139,7 +139,6 @@ TEST(Reconstruction, KeepsDetailThatResemblesNoise)
 
 TEST(Reconstruction, MirrorsBlocksForUnknownNeighbours)
 {
-    // values are 1000 times the block's number plus the index
     for (int known = 0; known < 256; known++)
     {
         std::array<BlockStatistics, 9> blocks;

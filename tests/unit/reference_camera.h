@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file reference_camera.h
-/// An independent camera in any number type: plane of sharp focus as normal and distance, thin lens equation,
-/// intersection of chief ray and plane, ray through it. It shares no formula with the library.
+/// An independent camera in any number type, by the thin lens equation and the intersection of chief ray and
+/// plane of sharp focus.
 
 #ifndef TILT_LENS_TESTS_REFERENCE_CAMERA_H
 #define TILT_LENS_TESTS_REFERENCE_CAMERA_H
@@ -15,7 +15,7 @@
 namespace tilt_lens
 {
 
-/// Newton's method from the double's root: Boost's own root is too slow for ten million cameras.
+/// Newton's method from the double's root: Boost's root is too slow for ten million cameras.
 template<typename Real>
 Real Root(const Real& a)
 {
@@ -174,7 +174,7 @@ class ReferenceCamera
                     up * (Real(given.shiftUp) * perMillimetre);
     }
 
-    /// The smallest rotation (Rodrigues) keeps the component along both planes' line.
+    /// The smallest rotation, by Rodrigues.
     V Turned(const V& v) const
     {
         const V turn = axis.Cross(t);

@@ -20,7 +20,6 @@ namespace
 
 constexpr std::uint32_t kWidth = 64, kHeight = 48;
 
-/// A wall across the axis that remembers the requested ranges.
 struct Wall : RayTracer
 {
     double distance = 20.0;
@@ -87,7 +86,7 @@ TEST(SampleTracer, AsksOnceForARunOfPlainSamples)
     EXPECT_TRUE(wall.asked[0].distances);
 }
 
-/// Lens 1 wide, focus 10, frame 4/3 wide at 1: a point at 20 has a circle of 1/10 - 1/20.
+/// Lens 1 wide, focus 10, frame 4/3 wide at 1.
 TEST(SampleTracer, TurnsTheDistanceIntoACircle)
 {
     Wall wall;
@@ -146,7 +145,6 @@ TEST(SampleTracer, DoesNotAskForBlockedRays)
     EXPECT_GT(tracer.refusedRays, 0u);
 }
 
-/// All three rays draw the same random numbers.
 TEST(SampleTracer, MixesASampleOfThreeColours)
 {
     Character fringes;

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-// Tests properties of the points, with fixed seeds and bounds of stated significance.
+// Fixed seeds and bounds of stated significance.
 
 #include "tilt_lens/sampling/sequence.h"
 
@@ -58,7 +58,7 @@ std::vector<Point> Block(const Pixel& p, std::uint32_t first, int count)
     return points;
 }
 
-/// Expects `expected` points in each box of 2^-split[d] along d.
+/// Box side along d: 2^-split[d].
 void ExpectStratified(const std::vector<Point>& points, const std::array<int, dimensions>& split, int expected)
 {
     std::vector<int> count(std::size_t{1} << (split[0] + split[1] + split[2] + split[3]));
@@ -206,7 +206,7 @@ TEST(PixelSampler, OneIndexIsUniformOverPixels)
 
 TEST(PixelSampler, ScramblingIsOwens)
 {
-    // After their first different bit, samples are unrelated. 48 tests: p below 1e-5 has probability 5e-4.
+    // 48 tests: p below 1e-5 by chance has probability 5e-4
     const std::uint32_t pairs[][2] = {{0, 1}, {0, 2},  {0, 3}, {1, 5},  {0, 4},    {2, 3},
                                       {0, 8}, {3, 11}, {5, 6}, {0, 16}, {0, 1024}, {7, 1000}};
     for (const auto& pair : pairs)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file sharp_plane_test.cpp
-/// Compares the least greatest blur with brute force over all sets of four, three and two points.
+/// Compares the least greatest blur with brute force.
 
 #include <gtest/gtest.h>
 
@@ -43,7 +43,6 @@ Real Volume(const RealVec& a, const RealVec& b, const RealVec& c)
     return Dot(Cross(a, b), c);
 }
 
-/// Cramer's rule for four equations in general position.
 Real DeviationOf(const Equations& e, const std::size_t (&at)[4])
 {
     const RealVec &a = e[at[0]].direction, &b = e[at[1]].direction, &c = e[at[2]].direction, &d = e[at[3]].direction;
@@ -127,7 +126,7 @@ TEST(SharpPlane, HasLeastGreatestBlurOfManyPoints)
 
 TEST(SharpPlane, HoldsFromAMillionToOneOn)
 {
-    // almost in a plane, within a millionth of a radian, almost on a line, far and near at once
+    // almost in a plane, within a microradian, almost on a line, far and near at once
     Random random(3);
     for (int i = 0; i < 1200; i++)
     {

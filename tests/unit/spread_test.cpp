@@ -139,7 +139,6 @@ double Window(double distance)
     return std::abs(distance) < radius ? 1.0 - distance * distance / (radius * radius) : 0.0;
 }
 
-/// Integral over a circle's extent, by midpoints.
 double SendersTo(int pixel, double middle, double half, double begin, double end)
 {
     constexpr int kSteps = 200;
@@ -166,7 +165,7 @@ TEST(SpreadSums, SharesAreTheWindowOverThatOfAllPossibleSenders)
         const auto window = [&](int u, int v) { return Window(u - column) * Window(v - row); };
         int count = 0;
         double sum = 0.0;
-        bool clear = true;  // rounding decides about pixels at the rim
+        bool clear = true;  // rounding decides at the rim
         for (int v = row - kReach; v <= row + kReach; v++)
             for (int u = column - kReach; u <= column + kReach; u++)
             {
@@ -178,7 +177,7 @@ TEST(SpreadSums, SharesAreTheWindowOverThatOfAllPossibleSenders)
             continue;
         auto sums = std::make_unique<SpreadSums>(block, kWidth, kHeight);
         sums->Add(column, row, {float(x), float(y), float(a), 0.0f, 0.0f, float(b), &lens}, Radiance{1.0, 1.0, 1.0, 0.0, 0.0});
-        std::vector<double> along(2 * kReach + 1), down(2 * kReach + 1);  // of the columns and of the rows
+        std::vector<double> along(2 * kReach + 1), down(2 * kReach + 1);
         for (int i = -kReach; i <= kReach; i++)
         {
             along[i + kReach] = SendersTo(column + i, x, a, left, left + kWidth);
@@ -226,7 +225,7 @@ TEST(SpreadSums, AreTheSameWithAllKernels)
     }
 }
 
-/// In 3 by 3 blocks, with each sample's squared distance from the pixel's centre as radiance.
+/// Radiance: squared distance from the pixel's centre.
 double MeanSquareDistanceOf(int pixelX, int pixelY, float radius)
 {
     const LensFootprint lens(RoundLens(), Aperture::Disc(), 3.0 * kSide, 3.0 * kSide);
@@ -279,7 +278,6 @@ TEST(SpreadSums, SharpOrNonFiniteSamplesServeTheirOwnPixelAlone)
 }
 
 /// Two samples a pixel, all equally blurred.
-/// @param leftSamples  samples per pixel in the left block
 std::shared_ptr<const PaddedSpread> Received(const LensFootprint& lens, float radius, const std::function<double(int, int, int)>& grey,
                                              int leftSamples = 2)
 {

@@ -17,7 +17,7 @@ inline double Square(double x)
     return x * x;
 }
 
-/// Pearson's test: the probability that such samples fit no better. 0 if a bin of probability 0 has a sample.
+/// Pearson's test: the probability that such samples fit no better.
 inline double ChiSquareP(const std::vector<double>& count, const std::vector<double>& probability)
 {
     double total = 0, chi = 0;

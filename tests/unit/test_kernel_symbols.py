@@ -14,7 +14,6 @@ NAMESPACE = "9tilt_lens4avx2"
 
 
 def shared_symbols(nm, objects):
-    """C++ names outside the variant's namespace."""
     command = [nm, "--defined-only", "--extern-only", "--format=just-symbols", *objects]
     listed = subprocess.run(command, capture_output=True, text=True, check=True).stdout
     symbols = [line for line in listed.splitlines() if line and not line.endswith(":")]

@@ -69,7 +69,6 @@ inline std::vector<Result> ResultsOf(TileSampler& sampler, const Area& tile, con
     return results;
 }
 
-/// The tile is the only rendered part of `width` by `height`.
 inline std::vector<Result> ResultsOf(const SamplingLimits& limits, const Area& tile, std::uint32_t width, std::uint32_t height,
                                      const Tracer& trace)
 {

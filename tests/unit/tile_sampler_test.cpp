@@ -335,7 +335,7 @@ TEST(SamplingStatistics, AddsUpAndHasQuantiles)
     EXPECT_EQ(huge.Samples(), 1ull << 51);
 }
 
-/// Pixels at a blurred lamp's rim mostly miss it, but must not stay black.
+/// Pixels at the lamp's rim mostly miss it.
 TEST(TileSampler, RimsOfBlurredLampsAreNotTorn)
 {
     constexpr double blur = 12.0, lamp = 3.0, brightness = 0.5, middle = 32.0;
@@ -368,7 +368,6 @@ TEST(TileSampler, RimsOfBlurredLampsAreNotTorn)
     EXPECT_LE(20 * black, rim) << black << " of " << rim;
 }
 
-/// Samples in a block's first round, with so many noisy columns.
 std::uint32_t FirstRoundOf(const SamplingLimits& limits, std::uint32_t noisyColumns)
 {
     std::uint32_t most = 0;

@@ -14,7 +14,6 @@ namespace tilt_lens
 namespace
 {
 
-/// The line covers a sixteenth of its pixels.
 void LineAlongRow(const SampleId& id, SampleResult& light)
 {
     light = Grey(id.y == Settings::blockSide / 2 && SequencePointOf(id).pixelY < 1.0 / 16.0 ? 0.0 : 1.0);
@@ -31,7 +30,6 @@ TEST(TileSamplerSearch, FindsAThinLineThatNeighboursMissedAtLowVariance)
     EXPECT_LE(results[0].samples, 256u);
 }
 
-/// Every fourth sample is aimed at a hidden emitter.
 Tracer HiddenLamp(double light)
 {
     return [light](const SampleId& id, SampleResult& traced)

@@ -22,7 +22,7 @@ struct Picture
     const char* name;
     Tracer trace;
     double (*mean)(std::uint32_t x, std::uint32_t y);
-    double leap = 4.0;  ///< factor by which the last round may undershoot the requested variance
+    double leap = 4.0;  ///< factor of possible undershoot in the last round
 };
 
 double Half(std::uint32_t, std::uint32_t)
@@ -30,7 +30,6 @@ double Half(std::uint32_t, std::uint32_t)
     return 0.5;
 }
 
-/// Fraction of the lens that sees the bright side.
 double BlurredEdgeMean(std::uint32_t x, std::uint32_t)
 {
     return std::min(1.0, (x % 64 + 0.5) / 64.0);
@@ -47,7 +46,6 @@ double LinearMean(std::uint32_t x, std::uint32_t)
     return 0.5 + 0.5 * ((x % 8) - 3.5) / 8.0;
 }
 
-/// The best case of stratified samples.
 void Linear(const SampleId& id, SampleResult& light)
 {
     const SequencePoint s = SequencePointOf(id);
@@ -60,7 +58,6 @@ void Checker(const SampleId& id, SampleResult& light)
     light = Grey((int(s.lensU * 6) + int(s.lensV * 6)) % 2 ? 1.0 : 0.0);
 }
 
-/// One percent of the lens sees white, elsewhere in each pixel.
 void Lamp(const SampleId& id, SampleResult& light)
 {
     const SequencePoint s = SequencePointOf(id);
@@ -151,7 +148,7 @@ TEST_P(RequestedVariance, IsNearlyUsedUpByIndependentNoise)
     EXPECT_GE(ReportedScoreOf(kPictures[0], GetParam()).MeanErrorAboveMin(), GetParam() / 4);
 }
 
-// Doubling divides smooth light's variance by eight, so the last round may overshoot.
+// Doubling divides smooth light's variance by eight.
 TEST_P(RequestedVariance, IsNearlyUsedUpByStratifiedSamples)
 {
     for (const Picture& picture : kPictures)
@@ -164,7 +161,6 @@ TEST_P(RequestedVariance, IsNearlyUsedUpByStratifiedSamples)
     }
 }
 
-// First samples miss the lamp, spread samples reveal it.
 TEST_P(RequestedVariance, IsKeptWhereOneSampleInAHundredMatters)
 {
     const Score s = ReportedScoreOf(kLamp, GetParam());

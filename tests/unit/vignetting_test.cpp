@@ -15,7 +15,7 @@ namespace tilt_lens
 namespace
 {
 
-/// 36 by 24 mm, 50 mm away; parallel rays of a film point.
+/// 36 by 24 mm, 50 mm away; rays of a film point are parallel.
 std::shared_ptr<const Lens> LensOf(double tilt = 0.0, double shiftRight = 0.0, double fStop = 2.0)
 {
     Statement given;
@@ -77,7 +77,7 @@ TEST(NaturalVignetting, HasTheTrueAnglesAndDistances)
     EXPECT_GT(vignetting.Brightness({-0.2, 0.0}), 1.0) << "nearer to the axis than the middle of the shifted frame";
 }
 
-/// Common area of unit circles, relative to that of one.
+/// Common area of unit circles over that of one.
 double Overlap(double apart)
 {
     const double half = 0.5 * apart;

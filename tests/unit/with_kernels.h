@@ -12,7 +12,6 @@
 namespace tilt_lens
 {
 
-/// False if the processor knows one variant only.
 inline bool HasSeveralVariants()
 {
     return kernels != &plain::kKernels;
