@@ -79,6 +79,19 @@ class Unwritable(unittest.TestCase):
         self.assertNotIn("Cannot write", said)
         self.assertEqual((self.folder / "text").stat().st_size, 32 * count)
 
+    def test_closed_standard_streams_are_no_place_for_messages(self):
+        names = "ABCD"
+        opened = "".join(f'#fopen {name} "{name}" write\n' for name in names)
+        closed = "".join(f'#write ({name}, "own\\n") #fclose {name}\n' for name in names)
+        job = rendering.Job(
+            scenes.TILTED + opened + '#debug "stray\\n" #warning "stray"\n#for (I, 1, 1000000) #local X = sin(I)*I; #end\n' + closed,
+            ("-F",),
+            width=16,
+            height=12,
+        )
+        job.attempt(self.folder, before=("sh", "-c", 'exec "$@" <&- >&- 2>&-', "sh"))
+        self.assertEqual([(self.folder / name).read_text(encoding="utf-8") for name in names], ["own\n"] * len(names))
+
     def test_refused_state_file(self):
         (self.folder / "picture.pov-state").write_bytes(b"garbage" * 100)
         self.assert_once(self.refused("+C"), "is not one of POV-Ray's")

@@ -91,6 +91,6 @@ class GlassCamera
     GlassSample DrawThrough(const GlassLens& colour, const FilmPoint& film, double u, double v, std::uint32_t seed) const;
 };
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
 
 #endif
