@@ -3,9 +3,10 @@
 """Each patch in patches/fixes applies alone to Debian's source, and compiles.
 
 usage: check_fixes.py apply|compile REPOSITORY WORK DOWNLOADS TARBALL=[FOLDER] [COMPILER COMPILE_COMMANDS]
+   check_fixes.py master REPOSITORY CLONE
 
 Prints each fault; the exit code is not 0 if there is one. "compile" checks files that a patch touches, or that include a header that it
-touches.
+touches. "master" applies each patch in patches/master to the commit that it names, in a clone of POV-Ray's repository on GitHub.
 """
 
 import json
@@ -15,6 +16,7 @@ import shlex
 import shutil
 import subprocess
 import sys
+import tempfile
 
 # folders of the installation, set by our build
 FOLDERS = ['-DPOVLIBDIR="/usr/share/povray-3.7"', '-DPOVCONFDIR="/etc/povray/3.7"', '-DTILT_LENS_BUILD_NAME="a fix alone"']
@@ -103,16 +105,38 @@ def faults(kind, repository, tree, compiler=None, commands_file=None):
             apply(patch, tree, "--reverse")
 
 
+def faults_on_master(repository, clone):
+    for patch in sorted((repository / "patches" / "master").glob("*.patch")):
+        commit = re.search(r"master, ([0-9a-f]{10});", patch.read_text(encoding="utf-8", errors="surrogateescape")).group(1)
+        with tempfile.TemporaryDirectory(prefix="tilt_lens.") as folder:
+            git = ("git", "-C", clone)
+            for name in touched(patch):
+                shown = subprocess.run([*git, "show", f"{commit}:{name}"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=False)
+                if shown.returncode == 0:
+                    path = pathlib.Path(folder, name)
+                    path.parent.mkdir(parents=True, exist_ok=True)
+                    path.write_bytes(shown.stdout)
+            refused = apply(patch, folder, "--forward")
+        if refused:
+            yield f"{patch.name} does not apply to {commit} alone:\n{refused}"
+
+
+def told(found):
+    for fault in found:
+        print(fault)
+    return 1 if found else 0
+
+
 def main(arguments):
+    if len(arguments) == 4 and arguments[1] == "master":
+        return told(list(faults_on_master(pathlib.Path(arguments[2]).resolve(), arguments[3])))
     if len(arguments) not in (6, 8) or arguments[1] not in ("apply", "compile"):
         sys.exit(__doc__)
     repository, work = pathlib.Path(arguments[2]), pathlib.Path(arguments[3])
     tree = debian_source(repository, work, arguments[4], arguments[5].removeprefix("TARBALL="))
     found = list(faults(arguments[1], repository, tree, *arguments[6:]))
-    for fault in found:
-        print(fault)
     shutil.rmtree(work)
-    return 1 if found else 0
+    return told(found)
 
 
 if __name__ == "__main__":

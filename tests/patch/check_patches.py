@@ -17,6 +17,8 @@ import sys
 
 # Folders in the order of the series; -DSPEEDUPS=OFF leaves out the last.
 FOLDERS = ("fixes", "camera", "output", "speedups")
+# fixes of the same names for POV-Ray's GitHub master; not in the series
+MASTER = "master"
 
 REQUIRED_FIELDS = ("Description", "Author", "Origin", "Forwarded", "Last-Update", "Hooks", "Tests")
 
@@ -36,8 +38,12 @@ def series(folder):
     return [name for name in names if name]
 
 
-def listed_patches(folder):
-    for name in series(folder):
+def master_patches(folder):
+    return sorted(path.relative_to(folder).as_posix() for path in (folder / MASTER).glob("*"))
+
+
+def all_patches(folder):
+    for name in [*series(folder), *master_patches(folder)]:
         path = folder / name
         if path.is_file():
             yield name, path.read_text(encoding="utf-8", errors="surrogateescape")
@@ -93,15 +99,25 @@ def check_list(folder):
         yield f"series: the folders are not in the order {', '.join(FOLDERS)}"
     for path in sorted(folder.rglob("*")):
         name = path.relative_to(folder).as_posix()
-        if path.is_file() and name != "series" and name not in names:
+        if path.is_file() and name != "series" and not name.startswith(f"{MASTER}/") and name not in names:
             yield f"{name}: not listed in series"
+    fixes = {
+        name: header_fields((folder / name).read_text(encoding="utf-8", errors="surrogateescape"))
+        for name in names
+        if name.startswith("fixes/")
+    }
+    with_defect = {
+        f"{MASTER}/{name[6:]}" for name, fields in fixes.items() if fields.get("Upstream-Master", "").startswith("has the defect")
+    }
+    for name in sorted(with_defect ^ set(master_patches(folder))):
+        yield f"{name}: there is such a patch if, and only if, Upstream-Master of the fix of this name says 'has the defect'"
 
 
 def check_headers(folder):
-    for name, text in listed_patches(folder):
+    for name, text in all_patches(folder):
         fields = header_fields(text)
         for field in REQUIRED_FIELDS:
-            if not fields.get(field):
+            if not fields.get(field) and not (field == "Tests" and name.startswith(f"{MASTER}/")):
                 yield f"{name}: header field {field} is missing or empty"
         date = fields.get("Last-Update", "")
         try:
@@ -118,7 +134,7 @@ def check_headers(folder):
 
 
 def check_size(folder):
-    for name, text in listed_patches(folder):
+    for name, text in all_patches(folder):
         created = new_files(text)
         added = sum(1 for _ in changed_lines(text, "+")) - sum(lines for _, lines in created)
         reason = header_fields(text).get("Size-Reason", "")
@@ -126,7 +142,7 @@ def check_size(folder):
         if added == 0:
             yield f"{name}: adds no line"
         for path, lines in created:
-            if not name.startswith("fixes/"):
+            if not name.startswith(("fixes/", f"{MASTER}/")):
                 yield f"{name}: creates {path}, which belongs into povray-src/; only a fix brings its own files"
             if lines > NEW_FILE_BUDGET:
                 yield f"{name}: {path} has {lines} lines, allowed are {NEW_FILE_BUDGET}"
@@ -138,7 +154,7 @@ def check_size(folder):
 
 
 def check_style(folder):
-    for name, text in listed_patches(folder):
+    for name, text in all_patches(folder):
         added = list(changed_lines(text, "+"))
         removed = list(changed_lines(text, "-"))
         if "GIT binary patch" in text:
@@ -155,7 +171,7 @@ def check_tests(folder, build):
     """A star stands for any letters."""
     listed = subprocess.run(["ctest", "-N"], cwd=build, stdout=subprocess.PIPE, text=True, check=True).stdout
     known = re.findall(r"^ *Test +#\d+: (\S+)", listed, re.MULTILINE)
-    for name, text in listed_patches(folder):
+    for name, text in all_patches(folder):
         for test in re.findall(r"[\w.*/]+\.[\w.*/]+", header_fields(text).get("Tests", "")):
             if not fnmatch.filter(known, test):
                 yield f"{name}: there is no test {test}, which the header field Tests names"
