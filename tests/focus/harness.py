@@ -210,6 +210,11 @@ class PageTest(FocusTest):
         )
         return self.run(script)
 
+    def refined_sum(self):
+        """Sum of the preview's values; its edges change until it is refined."""
+        self.until("the refined preview", lambda: self.run("return focusPage.live.refined"))
+        return self.run("return focusPage.previewSum()")
+
     def smooth(self, patience="Infinity"):
         script = f"focusPage.patience = {patience}; return focusPage.live.refined && focusPage.live.smooth"
         self.until("the smooth picture", lambda: self.run(script))

@@ -45,7 +45,7 @@ class Frames(BesidePage):
         self.open_pair()
         self.set_number("shiftUp", -6)
         self.set_number("shiftRight", -6)
-        number = self.run("return focusPage.previewSum()")
+        number = self.refined_sum()
         self.until("a preview of both frames", lambda: self.drawn() and self.run("return focusPage.previewSum()") != number)
         self.one_pass()
         self.assertEqual(self.run(CORNERS), [4, 4])

@@ -32,7 +32,7 @@ class Kinds(PageTest):
     def test_the_clock_moves_the_scene(self):
         self.open(self.scene(SCENE + "sphere { <0, 1, -3>, 0.1 + 0.6*clock pigment { rgb x } }\n"))
         self.assertFalse(self.run("return document.getElementById('clock-choice').hidden"))
-        before = self.run("return focusPage.previewSum()")
+        before = self.refined_sum()
         self.choose("clock", 1)
         self.until("the moved scene", lambda: abs(self.run("return focusPage.previewSum()") - before) > 10)
 
