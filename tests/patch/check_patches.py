@@ -155,16 +155,16 @@ def check_size(folder):
 
 def check_style(folder):
     for name, text in all_patches(folder):
-        added = list(changed_lines(text, "+"))
-        removed = list(changed_lines(text, "-"))
         if "GIT binary patch" in text:
             yield f"{name}: holds a binary file"
-        for line in added:
+        for line in changed_lines(text, "+"):
             if line.rstrip("\r") != line.rstrip():
                 yield f"{name}: white space at the end of an added line: {line!r}"
-        for line in removed:
-            if re.search(r"\w", line) and any(line.split() == other.split() for other in added):
-                yield f"{name}: changes white space alone: {line!r}"
+        for hunk in re.split(r"^(?=@@)", text, flags=re.MULTILINE)[1:]:
+            added = list(changed_lines(hunk, "+"))
+            for line in changed_lines(hunk, "-"):
+                if re.search(r"\w", line) and any(line.split() == other.split() for other in added):
+                    yield f"{name}: changes white space alone: {line!r}"
 
 
 def check_tests(folder, build):
