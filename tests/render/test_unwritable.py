@@ -79,6 +79,13 @@ class Unwritable(unittest.TestCase):
         self.assertNotIn("Cannot write", said)
         self.assertEqual((self.folder / "text").stat().st_size, 32 * count)
 
+    def test_long_text_is_in_the_console_text(self):
+        text = f'"{"long " * 40}"'
+        warning = f'#warning concat({", ".join([text] * 9)}, "end")\n'
+        code, said = self.attempt(warning + scenes.TILTED, "+Opicture.png", "All_File=all.txt")
+        self.assertEqual(code, 0, said)
+        self.assertIn("long end", " ".join((self.folder / "all.txt").read_text(encoding="utf-8").split()))
+
     def test_closed_standard_streams_are_no_place_for_messages(self):
         names = "ABCD"
         opened = "".join(f'#fopen {name} "{name}" write\n' for name in names)
