@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Tables of instructions and times: camera, glass, samples, inner loops, builds, speedups, growth."""
+"""Tables of instructions and times."""
 
 from benchmarks.front import geometric_mean
 from benchmarks.tables import TITLES, Goal, table

@@ -3,7 +3,7 @@
 """Keeps the results in docs/benchmarks, and shows them in the pages.
 
 A part, such as `stock`, stands between the lines `<!-- benchmark: stock -->` and `<!-- end of benchmark -->` of exactly one page in docs/.
-A new part needs a measuring module, its call in benchmark.py, a section in report.py or a module beside it, and a place in a page."""
+A new part needs a measuring module, its call in benchmark.py, a section in report.py, and a place in a page."""
 
 import json
 import re

@@ -5,8 +5,8 @@
 usage: check_fixes.py apply|compile REPOSITORY WORK DOWNLOADS TARBALL=[FOLDER] [COMPILER COMPILE_COMMANDS]
    check_fixes.py master REPOSITORY CLONE
 
-Prints each fault; the exit code is not 0 if there is one. "compile" checks files that a patch touches, or that include a header that it
-touches. "master" applies each patch in patches/master to the commit that it names, in a clone of POV-Ray's repository on GitHub.
+Prints each fault; the exit code is not 0 if there is one. "compile" checks touched files, or one that includes a touched header. "master"
+applies each patch in patches/master to the commit that it names, in a clone of POV-Ray's GitHub repository.
 """
 
 import json

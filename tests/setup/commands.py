@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Shared by the tests of the commands: a copy of the set-up, with a stand-in for the program."""
+"""A copy of the set-up, with a stand-in for the program."""
 
 import os
 import re

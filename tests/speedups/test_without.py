@@ -1,6 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The build without speedups passes the groups `render` and `oracle`, and has the same pictures of scenes without objects at equal depth.
+"""The build without speedups passes the groups `render` and `oracle`, and has the same pictures, but for shadows that stock's
+meshes lose.
 
 usage: test_without.py SOURCE DOWNLOADS TARBALL POVRAY COMPARE
 """

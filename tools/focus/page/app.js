@@ -169,7 +169,7 @@ function keep() {
         writeAddress({ of: markOf(startedFor), chosen, clock: cameras.animated ? scene.clock : null, state: model.state, pair: pair.kept, keys: film.keys });
 }
 
-/// If they are of the shown camera, or of this lens, which the page may have written before a reload.
+/// If they are of the shown camera or its lens.
 function takeKept() {
     const found = kept;
     kept = null;

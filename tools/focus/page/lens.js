@@ -180,7 +180,7 @@ export function solve(camera, block) {
 
 const SHAPE = ["location", "unshifted", "direction", "right", "up", "normal", "focus", "focalLength", "diameter"];
 
-/// Within 1e-4, below what a picture shows: the text states points by seven digits, and a plane through them by fewer.
+/// Within 1e-4: texts state points by seven digits, and planes through them by fewer.
 export const isSameLens = (one, other) => SHAPE.every(name => {
     const [a, b] = [one, other].map(lens => [lens[name]].flat());
     return Math.hypot(...a.map((x, i) => x - b[i])) <= 1e-4 * Math.max(Math.hypot(...a), Math.hypot(...b));
