@@ -25,6 +25,10 @@ class Goal:
     def verdict(self):
         return "reached" if self.reached else "missed"
 
+    @classmethod
+    def of_greatest(cls, figure, greatest, limit, wanted, measured):
+        return cls(figure, f"at most {wanted}", f"{measured} at the most", greatest <= limit)
+
     def sentence(self):
         return f"Goal: {self.figure}: {self.wanted}. Measured: {self.measured} ({self.verdict})."
 

@@ -101,14 +101,8 @@ def check_list(folder):
         name = path.relative_to(folder).as_posix()
         if path.is_file() and name != "series" and not name.startswith(f"{MASTER}/") and name not in names:
             yield f"{name}: not listed in series"
-    fixes = {
-        name: header_fields((folder / name).read_text(encoding="utf-8", errors="surrogateescape"))
-        for name in names
-        if name.startswith("fixes/")
-    }
-    with_defect = {
-        f"{MASTER}/{name[6:]}" for name, fields in fixes.items() if fields.get("Upstream-Master", "").startswith("has the defect")
-    }
+    in_master = {name: header_fields(text).get("Upstream-Master", "") for name, text in all_patches(folder) if name.startswith("fixes/")}
+    with_defect = {f"{MASTER}/{name[6:]}" for name, said in in_master.items() if said.startswith("has the defect")}
     for name in sorted(with_defect ^ set(master_patches(folder))):
         yield f"{name}: there is such a patch if, and only if, Upstream-Master of the fix of this name says 'has the defect'"
 

@@ -130,7 +130,7 @@ class RiskWeightedMean
 {
   public:
     explicit TILT_LENS_INLINED RiskWeightedMean(const FilterInput& around) :
-        around(around), risky(around, Settings::riskRadius), wanted(around, 0)
+        around(around), risky(around, Settings::riskRadius), wanted(around, 0), leastRisk(1.0f / around.settings.greatestRisk)
     {
         const Floats least = Floats() + 1e-30f, most = Floats() + 1e30f;
         risky.ForEach([&](int i) TILT_LENS_INLINED_LAMBDA
@@ -178,6 +178,7 @@ class RiskWeightedMean
   private:
     const FilterInput& around;
     const Part risky, wanted;
+    const float leastRisk;  ///< over the noise; less is chance
     Plane units, noises, noiseAround, noiseNear, risk, limited, riskAround, riskNear;
     Plane weights{}, noiseLeft{};
     Plane means[kChannels]{};
@@ -205,8 +206,8 @@ class RiskWeightedMean
     {
         const Floats before = Load<Floats>(&noiseAround[i]);
         const Floats near = Load<Floats>(&riskNear[i]) - around.settings.chanceRisk * Load<Floats>(&noiseNear[i]);
-        const Floats after = Max(Max(Load<Floats>(&riskAround[i]), near), 1.0f / around.settings.greatestRisk * before + 1e-30f);
-        const Floats root = Max(before / after - 1.0f / around.settings.greatestRisk, Floats());
+        const Floats after = Max(Max(Load<Floats>(&riskAround[i]), near), leastRisk * before + 1e-30f);
+        const Floats root = Max(before / after - leastRisk, Floats());
         return root * root;
     }
 };
