@@ -178,7 +178,7 @@ class RiskWeightedMean
   private:
     const FilterInput& around;
     const Part risky, wanted;
-    const float leastRisk;  ///< over the noise; less is chance
+    const float leastRisk;  ///< over the noise
     Plane units, noises, noiseAround, noiseNear, risk, limited, riskAround, riskNear;
     Plane weights{}, noiseLeft{};
     Plane means[kChannels]{};
