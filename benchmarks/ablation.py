@@ -27,7 +27,6 @@ NEVER, ALWAYS = "1e30", "0"
 
 # rule, section of docs/sampling.md, settings without it
 RULES = (
-    ("longer first rounds", 1, "farShare=2"),
     ("rounds that end half-way between powers of two", 1, f"doubledSamples={2**31}"),
     ("prior of the variance ratio", 3, f"varianceRatioPrior={ALWAYS}"),
     ("outlying variance ratios", 3, f"outlyingRatio={NEVER}"),

@@ -44,9 +44,6 @@ struct Settings
     /// @{
     /// Default of MIN (section 1), with and without reconstruction and emitter sampling.
     static constexpr std::uint32_t firstSamples = 4, firstSamplesAlone = 8;
-    /// Limit of doubled first rounds (section 1): while at least farShare of the pixels need more than farFactor times the samples.
-    static constexpr std::uint32_t mostFirstSamples = 16;
-    double farShare = 0.25, farFactor = 8.0;
     /// Rounds up to this number of samples double them (section 1).
     std::uint32_t doubledSamples = 8;
     /// @}
@@ -65,6 +62,8 @@ struct Settings
 
     /// @name Estimator of a pixel's variance (section 3)
     /// @{
+    /// Samples beyond which the pixels around count less.
+    static constexpr std::uint32_t reliableSamples = 16;
     /// Weight of the previous round's variance ratio, in equally noisy pixels.
     double varianceRatioPrior = 16.0;
     /// A pixel keeps its own variance ratio if it exceeds its quadrant's by this factor.
@@ -116,7 +115,7 @@ struct Settings
     /// @name Forecast of the reconstruction (section 6)
     /// @{
     /// Rays per pixel of a block that a forecast must save: about its cost.
-    double forecastCost = 2.0;
+    double forecastCost = 0.25;
     /// @}
 };
 

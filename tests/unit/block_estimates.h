@@ -34,7 +34,6 @@ inline void TakeRound(BlockEstimate& estimate, std::uint32_t until, const Tracer
 inline BlockEstimate FirstEstimate(const Area& area, std::uint32_t samples, const Tracer& trace)
 {
     BlockEstimate estimate(area, Settings());
-    estimate.firstSamples = samples;
     TakeRound(estimate, samples, trace);
     return estimate;
 }

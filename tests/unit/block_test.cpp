@@ -117,7 +117,7 @@ TEST(SentSamples, EachPixelHasTheSameTotalWeight)
             EXPECT_NEAR(*unequal->From(sum, x, 1), *equal->From(sum, x, 1), 1e-4) << sum << ", " << x;
     EXPECT_LT(*unequal->From(SpreadSums::kSquaredShares, 1, 1), *equal->From(SpreadSums::kSquaredShares, 1, 1));
     EXPECT_NEAR(unequal->OwnShare(0, 0), equal->OwnShare(0, 0), 1e-4);
-    EXPECT_NEAR(unequal->PixelWeight(), 4.0f, 1e-5);
+    EXPECT_NEAR(unequal->OwnWeight(0, 0), 4.0f, 1e-5);
 }
 
 TEST(SentSamples, SharpAndExcessSamplesServeTheirOwnPixelAlone)

@@ -34,7 +34,7 @@ std::shared_ptr<const PaddedSpread> LampHitByOneIn(std::uint32_t every)
     }
     PaddedSpread::Sent sent{};
     sent[4] = sums.get();
-    return PaddedSpread::Of(sent, 4);
+    return PaddedSpread::Of(sent);
 }
 
 constexpr std::size_t kMiddle = std::size_t(PaddedBlock::At(8, 8));

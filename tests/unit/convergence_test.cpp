@@ -190,7 +190,7 @@ TEST(Forecast, PredictsWhatTheReconstructionLeavesOfEvenNoise)
         pixel.variance = pixel.varianceRatio * pixel.statistics.Variance()[0] / 8.0;
         pixel.target = 0.5 * pixel.variance;
     }
-    ASSERT_TRUE(UpdateForecast(block.estimate, AllPixels(), block.around, 8));
+    ASSERT_TRUE(UpdateForecast(block.estimate, AllPixels(), block.around, block.limits, 8));
     EXPECT_LT(block.estimate.pixels[100].residualVarianceRatio, 0.5);
 }
 
@@ -199,7 +199,7 @@ TEST(Forecast, IsSkippedWhereItSavesTooFewRays)
     Prepared block = DimNoise();
     block.estimate.pixels[100].variance = 4e-4;
     block.estimate.pixels[100].target = 3e-4;
-    EXPECT_FALSE(UpdateForecast(block.estimate, {100}, block.around, 8));
+    EXPECT_FALSE(UpdateForecast(block.estimate, {100}, block.around, block.limits, 8));
 }
 
 std::size_t ActiveAfterFirstRound(double variance, bool denoise, const Tracer& trace)

@@ -278,8 +278,7 @@ TEST(SpreadSums, SharpOrNonFiniteSamplesServeTheirOwnPixelAlone)
 }
 
 /// Two samples a pixel, all equally blurred.
-std::shared_ptr<const PaddedSpread> Received(const LensFootprint& lens, float radius, const std::function<double(int, int, int)>& grey,
-                                             int leftSamples = 2)
+std::shared_ptr<const PaddedSpread> Received(const LensFootprint& lens, float radius, const std::function<double(int, int, int)>& grey)
 {
     std::array<std::unique_ptr<SpreadSums>, 9> blocks;
     PaddedSpread::Sent places;
@@ -288,14 +287,14 @@ std::shared_ptr<const PaddedSpread> Received(const LensFootprint& lens, float ra
         blocks[i] = std::make_unique<SpreadSums>(kBlock, kWidth, kHeight);
         for (int y = 0; y < kSide; y++)
             for (int x = 0; x < kSide; x++)
-                for (int sample = 0; sample < (i == 3 ? leftSamples : 2); sample++)
+                for (int sample = 0; sample < 2; sample++)
                 {
                     const double value = grey(x + (i % 3 - 1) * kSide, y + (i / 3 - 1) * kSide, sample);
                     blocks[i]->Add(x, y, CircleAt(lens, x + 0.5f, y + 0.5f, radius), {value, value, value, 0.0, 0.0});
                 }
         places[i] = blocks[i].get();
     }
-    return PaddedSpread::Of(places, 2);
+    return PaddedSpread::Of(places);
 }
 
 TEST(PaddedSpread, EvenRadianceStaysEvenAndSharesSumToNearlyTheSamples)
@@ -321,27 +320,9 @@ TEST(PaddedSpread, VarianceIsThatOfTheReceivedSamples)
             EXPECT_NEAR(received->variance[PaddedBlock::At(x, y)], 3.0 * 0.3 * 0.3, 1e-5) << x << ", " << y;
 }
 
-TEST(PaddedSpread, SamplesOfNeighboursAreScaledToTheBlocksNumber)
-{
-    const LensFootprint lens(RoundLens(), Aperture::Disc(), kWidth, kHeight);
-    const auto leftIsBright = [](int x, int, int) { return x < 0 ? 1.0 : 0.25; };
-    const auto equal = Received(lens, 3.0f, leftIsBright), more = Received(lens, 3.0f, leftIsBright, 8);
-    bool mixed = false;
-    for (int y = -PaddedBlock::kBorder; y < kSide + PaddedBlock::kBorder; y++)
-        for (int x = -PaddedBlock::kBorder; x < kSide + PaddedBlock::kBorder; x++)
-        {
-            const int at = PaddedBlock::At(x, y);
-            EXPECT_NEAR(more->mean[0][at], equal->mean[0][at], 1e-5);
-            EXPECT_NEAR(more->share[at], equal->share[at], 1e-4);
-            EXPECT_NEAR(more->ownShare[at], equal->ownShare[at], 1e-5);
-            mixed = mixed || (equal->mean[0][at] > 0.4 && equal->mean[0][at] < 0.8);
-        }
-    EXPECT_TRUE(mixed);
-}
-
 TEST(PaddedSpread, IsNullWhereNothingWasSent)
 {
-    EXPECT_EQ(PaddedSpread::Of({}, 2), nullptr);
+    EXPECT_EQ(PaddedSpread::Of({}), nullptr);
 }
 
 TEST(PaddedSpread, PixelsThatReceivedNothingKeepTheirOwnMean)
@@ -352,7 +333,7 @@ TEST(PaddedSpread, PixelsThatReceivedNothingKeepTheirOwnMean)
         sums->Add(0, 0, CircleAt(lens, 0.5f, 0.5f, 2.0f), Radiance{1.0, 1.0, 1.0, 0.0, 0.0});
     PaddedSpread::Sent sent{};
     sent[4] = sums.get();
-    const auto received = PaddedSpread::Of(sent, 2);
+    const auto received = PaddedSpread::Of(sent);
     EXPECT_GT(received->share[PaddedBlock::At(1, 0)], 0.0f);
     EXPECT_LT(received->ownShare[PaddedBlock::At(0, 0)], 0.2f);
     EXPECT_EQ(received->share[PaddedBlock::At(10, 10)], 0.0f);

@@ -38,6 +38,14 @@ struct Part
     {
     }
 
+    template<class Visit>
+    TILT_LENS_INLINED void ForEachPixel(const Visit& visit) const
+    {
+        for (int y = top; y < bottom; y++)
+            for (int x = left; x < right; x++)
+                visit(At(x, y));
+    }
+
     /// A row's last vector may extend beyond it.
     template<class Visit>
     TILT_LENS_INLINED void ForEach(const Visit& visit) const
@@ -120,7 +128,7 @@ struct ProductFilter
 
     static constexpr float CentreTap(int) { return kTaps[kAcross][0] * kTaps[kDown][0]; }
     static constexpr float Preference(int) { return 1.0f; }
-    static constexpr float NoiseLeft(int) { return NoiseLeftBy(kAcross) * NoiseLeftBy(kDown); }
+    static float DeviationLeft(int) { return SquareRoot(NoiseLeftBy(kAcross) * NoiseLeftBy(kDown)); }
 
     TILT_LENS_INLINED Floats Mean(int c, int i) const { return Filtered<Floats, kDown>(&rows.Mean(kAcross, c)[i], kColumns + kSlant); }
 };
@@ -144,8 +152,8 @@ class RiskWeightedMean
         MeanAround<Settings::nearRiskRadius>(noises, around, noiseNear);
     }
 
-    /// @param candidate  linear estimate from index i on; CentreTap(i) is the tap of the pixel itself, NoiseLeft(i) the remaining variance,
-    ///                   Preference(i) a factor of its weight
+    /// @param candidate  linear estimate from index i on; CentreTap(i) is the tap of the pixel itself, DeviationLeft(i) the remaining
+    ///                   standard deviation, Preference(i) a factor of its weight
     template<class Candidate>
     TILT_LENS_INLINED void Add(const Candidate& candidate)
     {
@@ -156,7 +164,8 @@ class RiskWeightedMean
         {
             const Floats weight = candidate.Preference(i) * WeightOf(i);
             Store(&weights[i], Load<Floats>(&weights[i]) + weight);
-            Store(&noiseLeft[i], Load<Floats>(&noiseLeft[i]) + weight * candidate.NoiseLeft(i));
+            Store(&deviationLeft[i], Load<Floats>(&deviationLeft[i]) + weight * candidate.DeviationLeft(i));
+            Store(&centreTap[i], Load<Floats>(&centreTap[i]) + weight * candidate.CentreTap(i));
             for (int c = 0; c < kChannels; c++)
                 Store(&means[c][i], Load<Floats>(&means[c][i]) + weight * candidate.Mean(c, i));
         });
@@ -171,7 +180,30 @@ class RiskWeightedMean
         const float mean = Max(Min(own, 0.0f), means[c][i] / weights[i]);
         return c < 3 ? mean : Min(Max(own, 1.0f), mean);
     }
-    float NoiseLeftOf(int i) const { return weights[i] > 0.0f ? noiseLeft[i] / weights[i] : 1.0f; }
+    float NoiseLeftOf(int i) const
+    {
+        const float deviation = weights[i] > 0.0f ? deviationLeft[i] / weights[i] : 1.0f;
+        return deviation * deviation;
+    }
+    /// Over the noise: mean risk of the block.
+    float Risk() const
+    {
+        float sum = 0.0f, all = 0.0f;
+        wanted.ForEachPixel([&](int i)
+        {
+            if (!(weights[i] > 0.0f) || !(around.noise[i] > 0.0f))
+                return;
+            float squares = 0.0f;
+            for (int c = 0; c < kChannels; c++)
+            {
+                const float difference = means[c][i] / weights[i] - around.mean[c][i];
+                squares += difference * difference;
+            }
+            sum += squares - (1.0f - 2.0f * centreTap[i] / weights[i]) * around.noise[i];
+            all += around.noise[i];
+        });
+        return sum > 0.0f ? Min(sum / all, 1.0f) : 0.0f;
+    }
 
     const Part& Risky() const { return risky; }
 
@@ -180,7 +212,7 @@ class RiskWeightedMean
     const Part risky, wanted;
     const float leastRisk;  ///< over the noise
     Plane units, noises, noiseAround, noiseNear, risk, limited, riskAround, riskNear;
-    Plane weights{}, noiseLeft{};
+    Plane weights{}, deviationLeft{}, centreTap{};
     Plane means[kChannels]{};
 
     template<class Candidate>
@@ -226,7 +258,8 @@ class SpreadCandidate
             ownTap[i] = spread.share[i] > 0.0f ? share / (share + spread.share[i]) : 1.0f;
             const float others = spread.samples[i], noise = around.noise[i];
             const float noiseOfOthers = others > 0.0f && noise > 0.0f ? Min(spread.variance[i] / (others * noise), 1.0f) : 1.0f;
-            noiseLeft[i] = ownTap[i] * ownTap[i] + (1.0f - ownTap[i]) * (1.0f - ownTap[i]) * noiseOfOthers;
+            const float left = ownTap[i] * ownTap[i] + (1.0f - ownTap[i]) * (1.0f - ownTap[i]) * noiseOfOthers;
+            deviationLeft[i] = SquareRoot(left + (kCorrected ? NoiseLeftBy(kMean9) * NoiseLeftBy(kMean9) : 0.0f));
             weight[i] = around.settings.spreadWeight * (1.0f + around.settings.missedWeight * around.missed[i]);
         }
         for (int c = 0; c < 3; c++)
@@ -238,10 +271,7 @@ class SpreadCandidate
     {
         return Load<Floats>(&ownTap[i]) + (kCorrected ? kTaps[kMean9][0] * kTaps[kMean9][0] : 0.0f);
     }
-    TILT_LENS_INLINED Floats NoiseLeft(int i) const
-    {
-        return Load<Floats>(&noiseLeft[i]) + (kCorrected ? NoiseLeftBy(kMean9) * NoiseLeftBy(kMean9) : 0.0f);
-    }
+    TILT_LENS_INLINED Floats DeviationLeft(int i) const { return Load<Floats>(&deviationLeft[i]); }
     /// Favours other pixels' samples, more where the pixel's own missed something.
     TILT_LENS_INLINED Floats Preference(int i) const
     {
@@ -250,7 +280,7 @@ class SpreadCandidate
     }
 
   private:
-    Plane ownTap, noiseLeft, weight;
+    Plane ownTap, deviationLeft, weight;
     Plane means[3];
 
     TILT_LENS_INLINED void Estimate(const float* own, const float* others, const Part& part, float* estimate) const
@@ -289,12 +319,13 @@ TILT_LENS_INLINED void FilterChannels(const FilterInput& around, const FilterOut
         mean.Add(SpreadCandidate<false>(around, mean.Risky()));
         mean.Add(SpreadCandidate<true>(around, mean.Risky()));
     }
+    const float risk = mean.Risk();
     for (int i = 0; i < kPixels; i++)
     {
         const int at = At(i % kSide, i / kSide);
         for (int c = 0; c < kChannels; c++)
             block.mean[c][i] = mean.MeanOf(c, at);
-        block.residualVarianceRatio[i] = Min(mean.NoiseLeftOf(at), 1.0f);
+        block.residualVarianceRatio[i] = Min(Max(risk, mean.NoiseLeftOf(at)), 1.0f);
     }
 }
 

@@ -9,22 +9,22 @@
 namespace tilt_lens
 {
 
-std::shared_ptr<const PaddedSpread> PaddedSpread::Of(const Sent& sent, std::uint32_t weight)
+std::shared_ptr<const PaddedSpread> PaddedSpread::Of(const Sent& sent)
 {
     const bool any = std::any_of(sent.begin(), sent.end(), [](const SpreadSums* one) { return one != nullptr; });
-    return any ? std::shared_ptr<const PaddedSpread>(new PaddedSpread(sent, weight)) : nullptr;
+    return any ? std::shared_ptr<const PaddedSpread>(new PaddedSpread(sent)) : nullptr;
 }
 
 namespace
 {
 
-void AddRow(const float* from, int count, float weight, float* to)
+void AddRow(const float* from, int count, float* to)
 {
     int i = 0;
     for (; i + 4 <= count; i += 4)
-        Store(to + i, Load<Float4>(to + i) + weight * Load<Float4>(from + i));
+        Store(to + i, Load<Float4>(to + i) + Load<Float4>(from + i));
     for (; i < count; i++)
-        to[i] += weight * from[i];
+        to[i] += from[i];
 }
 
 constexpr int kSide = int(Settings::blockSide), kBorder = PaddedBlock::kBorder, kReach = SpreadSums::kReach;
@@ -32,7 +32,7 @@ static_assert(kBorder + kReach <= kSide, "samples of the neighbours must be all 
 
 } // namespace
 
-PaddedSpread::PaddedSpread(const Sent& sent, std::uint32_t weight)
+PaddedSpread::PaddedSpread(const Sent& sent)
 {
     const auto received = std::make_unique<Received>();
     ownShare.fill(1.0f);
@@ -40,13 +40,12 @@ PaddedSpread::PaddedSpread(const Sent& sent, std::uint32_t weight)
     {
         if (sent[i] == nullptr)
             continue;
-        const float factor = weight / sent[i]->PixelWeight();
         const int left = (i % 3 - 1) * kSide, top = (i / 3 - 1) * kSide;
         const int begin = std::max(-kBorder, left - kReach), end = std::min(kSide + kBorder, left + kSide + kReach);
         for (int y = std::max(-kBorder, top - kReach); y < std::min(kSide + kBorder, top + kSide + kReach); y++)
             for (int sum = 0; sum < SpreadSums::kSums; sum++)
                 AddRow(sent[i]->From(SpreadSums::Sum(sum), begin - left, y - top), end - begin,
-                       sum == SpreadSums::kSquaredShares ? factor * factor : factor, &(*received)[sum][PaddedBlock::At(begin, y)]);
+                       &(*received)[sum][PaddedBlock::At(begin, y)]);
         for (int y = std::max(-kBorder, top); y < std::min(kSide + kBorder, top + kSide); y++)
             for (int x = std::max(-kBorder, left); x < std::min(kSide + kBorder, left + kSide); x++)
                 if (sent[i]->OwnWeight(x - left, y - top) > 0.0f)

@@ -24,10 +24,9 @@ class PaddedSpread
 
     using Sent = std::array<const SpreadSums*, 9>;
 
-    /// @param sent    by the block, in the middle, and its neighbours; null: none
-    /// @param weight  sum of a pixel's sample weights; neighbours' sums are scaled to it
-    /// @return        null if nothing was spread
-    static std::shared_ptr<const PaddedSpread> Of(const Sent& sent, std::uint32_t weight);
+    /// @param sent  by the block, in the middle, and its neighbours; null: none
+    /// @return      null if nothing was spread
+    static std::shared_ptr<const PaddedSpread> Of(const Sent& sent);
 
     std::array<Plane, 3> mean;  ///< of received samples; 0: none
     Plane variance;  ///< of one received sample, summed over the channels
@@ -38,7 +37,7 @@ class PaddedSpread
   private:
     using Received = std::array<Plane, SpreadSums::kSums>;
 
-    PaddedSpread(const Sent& sent, std::uint32_t weight);
+    explicit PaddedSpread(const Sent& sent);
     void Finish(const Received& received, std::size_t at);
 };
 

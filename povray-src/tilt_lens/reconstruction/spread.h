@@ -131,7 +131,6 @@ class SpreadSums : private SpreadPlanes
     /// Weighted shares that a pixel's samples kept for it.
     float OwnShare(int x, int y) const { return own[y * int(Settings::blockSide) + x].share; }
     float OwnWeight(int x, int y) const { return own[y * int(Settings::blockSide) + x].weight; }
-    float PixelWeight() const { return own[0].weight; }
     bool IsSpread() const { return spread; }
 };
 

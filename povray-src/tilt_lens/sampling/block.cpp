@@ -50,20 +50,6 @@ void TakeSamples(BlockEstimate& estimate, std::uint32_t until, const SamplingLim
         }
 }
 
-/// True if many pixels need several more rounds: a longer first round is then free, and helps other blocks.
-bool IsFarFromConvergence(const BlockEstimate& estimate, const SamplingLimits& limits)
-{
-    if (!limits.Denoises() || estimate.firstSamples < 2)  // one sample shows no variance
-        return false;
-    const double far = limits.settings.farFactor * limits.variance * estimate.firstSamples;
-    const auto pixels = std::count_if(estimate.pixels.begin(), estimate.pixels.end(), [far](const PixelEstimate& pixel)
-    {
-        const PixelStatistics& own = pixel.statistics;
-        return pixel.varianceRatio * LargestChannel(RelativeTo(own.Mean(), own.Variance())) > far;
-    });
-    return pixels >= limits.settings.farShare * estimate.pixels.size();
-}
-
 std::vector<std::uint32_t> SamplesOf(const BlockEstimate& estimate)
 {
     std::vector<std::uint32_t> samples;
@@ -100,15 +86,10 @@ bool Block::TakeStep(int stepsTaken, const Neighbours& neighbours, const Samplin
 void Block::Look(const SamplingLimits& limits, const Tracer& trace)
 {
     auto first = std::make_unique<BlockEstimate>(area, limits.settings);
-    std::uint32_t& samples = first->firstSamples;
+    const std::uint32_t samples = limits.FirstRound();
     sent.Clear();  // left by an interrupted step
-    do
-    {
-        samples = samples == 0 ? limits.FirstRound() : 2 * samples;
-        TakeSamples(*first, samples, limits, limits.variance > 0.0 ? &sent : nullptr, trace);
-        UpdateVarianceRatios(*first, samples);
-    }
-    while (2 * samples <= std::min(limits.max, Settings::mostFirstSamples) && IsFarFromConvergence(*first, limits));
+    TakeSamples(*first, samples, limits, limits.variance > 0.0 ? &sent : nullptr, trace);
+    UpdateVarianceRatios(*first, samples);
     auto round = std::make_unique<FirstRound>(*first);
     if (limits.Denoises())
         round->statistics = StatisticsOf(*first);
@@ -135,8 +116,8 @@ void Block::Converge(const Neighbours& neighbours, const SamplingLimits& limits,
 {
     const Neighbourhood around(EachOf<FirstRound>(neighbours, &Block::firstRound), limits);
     auto converged = std::make_unique<BlockEstimate>(*estimate);
-    const std::uint32_t samples = converged->firstSamples;
-    converged->spread = PaddedSpread::Of(EachOf<SpreadSums>(around.rounds, &FirstRound::spread), samples);
+    const std::uint32_t samples = limits.FirstRound();
+    converged->spread = PaddedSpread::Of(EachOf<SpreadSums>(around.rounds, &FirstRound::spread));
     spread = firstRound->spread;
     if (UpdateConvergence(*converged, around, limits, samples))
     {
@@ -156,7 +137,7 @@ void Block::Finish(const Neighbours& neighbours, const SamplingLimits& limits, c
 {
     std::shared_ptr<const PaddedSpread> received;
     if (limits.Denoises())
-        received = PaddedSpread::Of(EachOf<SpreadSums>(neighbours, &Block::spread), firstRound->samples);
+        received = PaddedSpread::Of(EachOf<SpreadSums>(neighbours, &Block::spread));
     const Neighbourhood around(EachOf<FirstRound>(neighbours, &Block::firstRound), limits);
     BlockEstimate last = *estimate;
     if (const std::uint32_t samples = received ? ActivateWhereMissed(last, *received, limits) : 0)
@@ -165,13 +146,13 @@ void Block::Finish(const Neighbours& neighbours, const SamplingLimits& limits, c
         last.statisticsSamples = 0;
         TakeRounds(last, around, limits, samples, nullptr, trace);
     }
-    SetResults(last, around.loneVariance);
+    SetResults(last, limits, around.loneVariance);
     if (last.statistics)
         ReconstructResults(neighbours, limits, last.statistics.get(), received.get());
     estimate.reset();
 }
 
-void Block::SetResults(const BlockEstimate& last, double loneVariance)
+void Block::SetResults(const BlockEstimate& last, const SamplingLimits& limits, double loneVariance)
 {
     results.clear();
     results.reserve(last.pixels.size());
@@ -179,7 +160,7 @@ void Block::SetResults(const BlockEstimate& last, double loneVariance)
     {
         const PixelStatistics& own = last.pixels[i].statistics;
         // n samples miss a feature of share 1/n with probability exp(-1)
-        const double missed = std::exp(-1.0) * LoneVariance(loneVariance, last.firstSamples, own.Samples());
+        const double missed = std::exp(-1.0) * LoneVariance(loneVariance, limits.FirstRound(), own.Samples());
         results.push_back({std::max(MeanColour(VarianceOfMean(last, i, own.Variance())), missed), own.Mean(), own.Samples(),
                            own.NotFinite(), own.EmitterSamples()});
     }

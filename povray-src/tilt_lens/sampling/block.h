@@ -99,7 +99,7 @@ class Block
     /// @param samples  fewest samples of an active pixel
     void TakeRounds(BlockEstimate& estimate, const Neighbourhood& around, const SamplingLimits& limits, std::uint32_t samples,
                     SentSamples* sent, const Tracer& trace) const;
-    void SetResults(const BlockEstimate& last, double loneVariance);
+    void SetResults(const BlockEstimate& last, const SamplingLimits& limits, double loneVariance);
     void ReconstructResults(const Neighbours& neighbours, const SamplingLimits& limits, const BlockStatistics* own,
                             const PaddedSpread* received);
     /// Rows with noticeable noise; all rows with one sample per pixel.

@@ -22,7 +22,7 @@ bool BlockEstimate::HasNoise() const
            std::any_of(pixels.begin(), pixels.end(), [](const PixelEstimate& pixel) { return IsNonZero(pixel.statistics.Variance()); });
 }
 
-FirstRound::FirstRound(const BlockEstimate& estimate) : samples(estimate.firstSamples), pixels(estimate.pixels.size())
+FirstRound::FirstRound(const BlockEstimate& estimate) : pixels(estimate.pixels.size())
 {
     const Area& area = estimate.area;
     std::vector<double> variances;

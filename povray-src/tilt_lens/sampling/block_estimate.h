@@ -39,7 +39,6 @@ using Quadrants = std::array<double, 4>;
 struct BlockEstimate
 {
     Area area;
-    std::uint32_t firstSamples = 0;             ///< per pixel
     std::vector<PixelEstimate> pixels;          ///< row by row
     Quadrants dualBufferRatio{1.0, 1.0, 1.0, 1.0};  ///< variance by dual buffers over that of independent samples
     std::shared_ptr<const BlockStatistics> statistics;  ///< null: no denoising
@@ -64,7 +63,6 @@ struct BlockEstimate
 /// Immutable.
 struct FirstRound
 {
-    std::uint32_t samples;       ///< per pixel
     std::size_t pixels;
     double loneVariance = 0.0;   ///< mean excess of a pixel's variance over its eight neighbours' sum; relative
     std::shared_ptr<const BlockStatistics> statistics;  ///< null: no denoising

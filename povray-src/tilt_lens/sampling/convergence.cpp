@@ -93,7 +93,7 @@ bool UpdateConvergence(BlockEstimate& estimate, const Neighbourhood& around, con
         return samples < limits.max;  // one sample shows no error
     const std::vector<std::size_t> candidates = Candidates(estimate, samples);
     const double target = limits.variance / ConfidenceFactor(samples, limits.confidence);
-    const double lone = LoneVariance(around.loneVariance, estimate.firstSamples, samples);
+    const double lone = LoneVariance(around.loneVariance, limits.FirstRound(), samples);
     const std::vector<double> variances = VariancesToDecide(estimate);
     for (const std::size_t i : candidates)
     {
@@ -103,7 +103,7 @@ bool UpdateConvergence(BlockEstimate& estimate, const Neighbourhood& around, con
     if (limits.variance > 0.0)
     {
         RaiseWhereNeighboursFoundMore(estimate, variances);
-        const bool reconstructs = limits.Denoises() && UpdateForecast(estimate, candidates, around, samples);
+        const bool reconstructs = limits.Denoises() && UpdateForecast(estimate, candidates, around, limits, samples);
         for (const std::size_t i : candidates)
         {
             PixelEstimate& pixel = estimate.pixels[i];

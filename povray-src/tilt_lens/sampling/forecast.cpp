@@ -73,7 +73,8 @@ void UpdateBlockStatistics(BlockEstimate& estimate, std::uint32_t samples)
     estimate.statisticsSamples = samples;
 }
 
-bool UpdateForecast(BlockEstimate& estimate, const std::vector<std::size_t>& candidates, const Neighbourhood& around, std::uint32_t samples)
+bool UpdateForecast(BlockEstimate& estimate, const std::vector<std::size_t>& candidates, const Neighbourhood& around, const SamplingLimits& limits,
+                    std::uint32_t samples)
 {
     // The last round's ratio is optimistic, since the ratio rises as noise falls: skip the forecast if even it saves too few rays.
     const auto saved = std::count_if(candidates.begin(), candidates.end(), [&estimate](std::size_t i)
@@ -83,7 +84,7 @@ bool UpdateForecast(BlockEstimate& estimate, const std::vector<std::size_t>& can
     });
     if (saved == 0 || saved * samples < estimate.settings.forecastCost * Settings::blockSide * Settings::blockSide)
         return false;
-    const BlockPlane ratios = ForecastRatios(estimate, around, samples, samples == estimate.firstSamples);
+    const BlockPlane ratios = ForecastRatios(estimate, around, samples, samples == limits.FirstRound());
     for (const std::size_t i : candidates)
         estimate.pixels[i].residualVarianceRatio = ratios[PlaneIndex(estimate, i)];
     return true;

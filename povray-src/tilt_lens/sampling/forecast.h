@@ -24,7 +24,7 @@ void UpdateBlockStatistics(BlockEstimate& estimate, std::uint32_t samples);
 /// @param candidates  indices of pixels with up-to-date `variance` and `target`
 /// @return  true if the ratios are of this round
 bool UpdateForecast(BlockEstimate& estimate, const std::vector<std::size_t>& candidates, const Neighbourhood& around,
-                    std::uint32_t samples);
+                    const SamplingLimits& limits, std::uint32_t samples);
 
 } // namespace tilt_lens
 

@@ -27,11 +27,11 @@ double SquaredSum(const Radiance& light)
     return std::inner_product(light.begin(), light.end(), light.begin(), 0.0);
 }
 
-/// Weights of the surrounding pixels' excess variance: less than 1 for more samples than the longest first round.
+/// Weights of the surrounding pixels' excess variance: less than 1 beyond Settings::reliableSamples.
 std::vector<double> WeightsOf(const BlockEstimate& estimate, const std::vector<Radiance>& variancesAround)
 {
     std::vector<double> weights(estimate.pixels.size(), 1.0);
-    const auto isBeyond = [](const PixelEstimate& pixel) { return pixel.statistics.Samples() > Settings::mostFirstSamples; };
+    const auto isBeyond = [](const PixelEstimate& pixel) { return pixel.statistics.Samples() > Settings::reliableSamples; };
     if (std::none_of(estimate.pixels.begin(), estimate.pixels.end(), isBeyond))
         return weights;
     std::vector<Radiance> light;
@@ -40,7 +40,7 @@ std::vector<double> WeightsOf(const BlockEstimate& estimate, const std::vector<R
     const auto around = WindowMeans<Settings::neighbourRadius>(light, estimate.area.width);
     for (std::size_t i = 0; i < weights.size(); i++)
     {
-        const double more = std::max(0.0, double(estimate.pixels[i].statistics.Samples()) - Settings::mostFirstSamples);
+        const double more = std::max(0.0, double(estimate.pixels[i].statistics.Samples()) - Settings::reliableSamples);
         const double variance = std::accumulate(variancesAround[i].begin(), variancesAround[i].end(), 0.0);
         const double hits = more * HitProbability(SquaredSum(around[i]), variance);
         if (hits > 0.0)
