@@ -111,8 +111,8 @@ TEST(Reconstruction, ReportsRemainingNoiseAndBias)
             const auto waves = [&](int x, int y)
             { return 0.5 + amplitude * std::sin(6.2832 * x / length) * std::sin(6.2832 * y / length); };
             const Errors e = ErrorsOf(waves, variance);
-            EXPECT_GT(e.claimed, 0.6 * e.after) << length << ", " << height;
-            EXPECT_LT(e.claimed, 2.5 * e.after) << length << ", " << height;
+            EXPECT_GT(e.claimed, 0.75 * e.after) << length << ", " << height;
+            EXPECT_LT(e.claimed, 2.2 * e.after) << length << ", " << height;
             least = std::min(least, e.after / e.before);
             greatest = std::max(greatest, e.after / e.before);
         }
