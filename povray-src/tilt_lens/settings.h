@@ -115,7 +115,7 @@ struct Settings
     /// @name Forecast of the reconstruction (section 6)
     /// @{
     /// Rays per pixel of a block that a forecast must save: about its cost.
-    double forecastCost = 0.25;
+    double forecastCost = 0.5;
     /// @}
 };
 
