@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tilt_lens/math/numbers.h"
 #include "tilt_lens/sampling/convergence.h"
 #include "tilt_lens/sampling/forecast.h"
 #include "tilt_lens/sampling/pixel_variance.h"
@@ -109,6 +110,7 @@ void Block::Look(const SamplingLimits& limits, const Tracer& trace)
         UpdateVarianceRatios(*first, samples);
     }
     while (2 * samples <= std::min(limits.max, Settings::mostFirstSamples) && IsFarFromConvergence(*first, limits));
+    sent.ReleaseReserve();
     auto round = std::make_unique<FirstRound>(*first);
     if (limits.Denoises())
         round->statistics = StatisticsOf(*first);
@@ -148,6 +150,8 @@ void Block::Converge(const Neighbours& neighbours, const SamplingLimits& limits,
     else if (limits.Denoises())
         UpdateBlockStatistics(*converged, samples);
     statistics = converged->statistics;
+    SetResults(*converged, around.loneVariance);
+    converged->spread.reset();
     estimate = std::move(converged);
     sent.Clear();
 }
@@ -164,11 +168,16 @@ void Block::Finish(const Neighbours& neighbours, const SamplingLimits& limits, c
         last.spread = received;
         last.statisticsSamples = 0;
         TakeRounds(last, around, limits, samples, nullptr, trace);
+        SetResults(last, around.loneVariance);
     }
-    SetResults(last, around.loneVariance);
     if (last.statistics)
         ReconstructResults(neighbours, limits, last.statistics.get(), received.get());
     estimate.reset();
+    if (!limits.Denoises())
+        return;
+    // all neighbours have taken their second step
+    firstRound->statistics.reset();
+    firstRound->spread.reset();
 }
 
 void Block::SetResults(const BlockEstimate& last, double loneVariance)
@@ -180,8 +189,12 @@ void Block::SetResults(const BlockEstimate& last, double loneVariance)
         const PixelStatistics& own = last.pixels[i].statistics;
         // n samples miss a feature of share 1/n with probability exp(-1)
         const double missed = std::exp(-1.0) * LoneVariance(loneVariance, last.firstSamples, own.Samples());
-        results.push_back({std::max(MeanColour(VarianceOfMean(last, i, own.Variance())), missed), own.Mean(), own.Samples(),
-                           own.NotFinite(), own.EmitterSamples()});
+        PixelResult result;
+        result.variance = FiniteFloat(std::max(MeanColour(VarianceOfMean(last, i, own.Variance())), missed));
+        const Radiance mean = own.Mean();
+        std::copy(mean.begin(), mean.end(), result.mean.begin());
+        result.samples = own.Samples(), result.notFinite = own.NotFinite(), result.emitterSamples = own.EmitterSamples();
+        results.push_back(result);
     }
 }
 
@@ -205,7 +218,7 @@ void Block::ReconstructResults(const Neighbours& neighbours, const SamplingLimit
         const Radiance mean = reconstructed.MeanOf(place);
         if (!rows.Has(row) || !IsFinite(mean))  // beside a pixel too bright for a float
             continue;
-        pixel.mean = mean;
+        std::copy(mean.begin(), mean.end(), pixel.mean.begin());
         pixel.variance *= reconstructed.residualVarianceRatio[place];
         pixel.reconstructed = true;
     }
