@@ -172,5 +172,14 @@ TEST(BlockCache, AnotherThreadRetakesAnInterruptedStep)
     EXPECT_EQ(broken, 1);
 }
 
+TEST(BlockCache, MemoryOfABlock)
+{
+    const double pixels = Settings::blockSide * Settings::blockSide;
+    const double seen = (sizeof(SpreadSums) + sizeof(BlockStatistics)) / pixels;
+    EXPECT_LE(sizeof(PixelEstimate) + seen, 300.0) << "after the first step";
+    EXPECT_LE(sizeof(PixelEstimate) + sizeof(PixelResult) + 2.0 * seen, 460.0) << "after the second step";
+    EXPECT_LE(sizeof(PixelResult) + seen, 170.0) << "after the last step";
+}
+
 } // namespace
 } // namespace tilt_lens

@@ -139,5 +139,36 @@ TEST(SentSamples, SharpAndExcessSamplesServeTheirOwnPixelAlone)
     EXPECT_FLOAT_EQ(*spread->From(SpreadSums::kSquaredShares, 4, 3), share * share);
 }
 
+std::uint32_t FirstRoundOf(const SamplingLimits& limits, std::uint32_t noisyColumns)
+{
+    std::uint32_t most = 0;
+    const Tracer trace([&](const SampleRun& run, SampleResult* results)
+    {
+        for (std::uint32_t i = 0; i < run.count; i++)
+            results[i] = Grey(run.first.x < noisyColumns ? Noise(run[i], 1) : 0.7);
+        most = std::max(most, run.first.index + run.count);
+    });
+    Block block({0, 0, Settings::blockSide, Settings::blockSide}, Settings::blockSide, Settings::blockSide, Settings());
+    block.TakeStep(0, {}, limits, trace);
+    return most;
+}
+
+TEST(Block, FirstRoundsAreLongerWhereManyPixelsAreFarFromConvergence)
+{
+    SamplingLimits limits = Limits(4, 64, 1e-4);
+    limits.denoise = true;
+    const std::uint32_t few = std::uint32_t(Settings().farShare * Settings::blockSide) - 1;
+    EXPECT_EQ(FirstRoundOf(limits, Settings::blockSide), Settings::mostFirstSamples);
+    EXPECT_EQ(FirstRoundOf(limits, Settings::blockSide / 2), Settings::mostFirstSamples);
+    EXPECT_EQ(FirstRoundOf(limits, few), 4u);
+    EXPECT_EQ(FirstRoundOf(limits, 0), 4u);
+    limits.variance = 1e-2;  // noise of variance 1/12 needs 8 samples
+    EXPECT_EQ(FirstRoundOf(limits, Settings::blockSide), 4u);
+    limits = Limits(4, 8, 1e-4);
+    limits.denoise = true;
+    EXPECT_EQ(FirstRoundOf(limits, Settings::blockSide), 8u);
+    EXPECT_EQ(FirstRoundOf(Limits(4, 64, 1e-4), Settings::blockSide), 4u);
+}
+
 } // namespace
 } // namespace tilt_lens

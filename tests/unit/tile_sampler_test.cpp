@@ -304,33 +304,6 @@ TEST(TileSamplerStop, NonFiniteSamplesAreBlackAndCounted)
     }
 }
 
-TEST(TileSamplerStop, TheGreatestRadiancesSpoilNoFarPixels)
-{
-    for (const double bright : {1e18, 1e25, 3e38})
-        for (const bool denoise : {false, true})
-        {
-            const auto spoiled = [bright](const SampleId& id, SampleResult& light)
-            { light = Grey(id.x == 20 && id.y == 20 && id.index == 3 ? bright : Noise(id, 1)); };
-            SamplingLimits limits = Limits(4, 64, 1e-2);
-            limits.denoise = denoise;
-            const Area all{0, 0, 48, 48};
-            const std::vector<Result> results = ResultsOf(limits, all, 48, 48, spoiled);
-            for (int i = 0; i < int(results.size()); i++)
-            {
-                const int distance = std::max(std::abs(i % 48 - 20), std::abs(i / 48 - 20));
-                EXPECT_TRUE(std::isfinite(results[i].variance) && std::isfinite(results[i].mean[0])) << bright << ", pixel " << i;
-                if (distance <= 1)
-                {
-                    EXPECT_EQ(results[i].samples, limits.max) << bright << ", pixel " << i;
-                }
-                if (distance > (denoise ? 12 : 0))
-                {
-                    EXPECT_LT(results[i].mean[0], 1.0) << bright << ", pixel " << i;
-                }
-            }
-        }
-}
-
 TEST(SamplingStatistics, AddsUpAndHasQuantiles)
 {
     SamplingStatistics statistics, other;
@@ -393,46 +366,6 @@ TEST(TileSampler, RimsOfBlurredLampsAreNotTorn)
         }
     EXPECT_GT(rim, 100);
     EXPECT_LE(20 * black, rim) << black << " of " << rim;
-}
-
-std::uint32_t FirstRoundOf(const SamplingLimits& limits, std::uint32_t noisyColumns)
-{
-    std::uint32_t most = 0;
-    const Tracer trace([&](const SampleRun& run, SampleResult* results)
-    {
-        for (std::uint32_t i = 0; i < run.count; i++)
-            results[i] = Grey(run.first.x < noisyColumns ? Noise(run[i], 1) : 0.7);
-        most = std::max(most, run.first.index + run.count);
-    });
-    Block block({0, 0, Settings::blockSide, Settings::blockSide}, Settings::blockSide, Settings::blockSide, Settings());
-    block.TakeStep(0, {}, limits, trace);
-    return most;
-}
-
-TEST(TileSampler, FirstRoundsAreLongerWhereManyPixelsAreFarFromConvergence)
-{
-    SamplingLimits limits = Limits(4, 64, 1e-4);
-    limits.denoise = true;
-    const std::uint32_t few = std::uint32_t(Settings().farShare * Settings::blockSide) - 1;
-    EXPECT_EQ(FirstRoundOf(limits, Settings::blockSide), Settings::mostFirstSamples);
-    EXPECT_EQ(FirstRoundOf(limits, Settings::blockSide / 2), Settings::mostFirstSamples);
-    EXPECT_EQ(FirstRoundOf(limits, few), 4u);
-    EXPECT_EQ(FirstRoundOf(limits, 0), 4u);
-    limits.variance = 1e-2;  // noise of variance 1/12 needs 8 samples
-    EXPECT_EQ(FirstRoundOf(limits, Settings::blockSide), 4u);
-    limits = Limits(4, 8, 1e-4);
-    limits.denoise = true;
-    EXPECT_EQ(FirstRoundOf(limits, Settings::blockSide), 8u);
-    EXPECT_EQ(FirstRoundOf(Limits(4, 64, 1e-4), Settings::blockSide), 4u);
-}
-
-TEST(BlockCache, MemoryOfABlock)
-{
-    const double pixels = Settings::blockSide * Settings::blockSide;
-    const double seen = (sizeof(SpreadSums) + sizeof(BlockStatistics)) / pixels;
-    EXPECT_LE(sizeof(PixelEstimate) + seen, 300.0) << "after the first step";
-    EXPECT_LE(sizeof(PixelEstimate) + sizeof(PixelResult) + 2.0 * seen, 460.0) << "after the second step";
-    EXPECT_LE(sizeof(PixelResult) + seen, 170.0) << "after the last step";
 }
 
 } // namespace
