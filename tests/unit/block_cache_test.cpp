@@ -75,6 +75,47 @@ TEST(BlockCache, TakesEachSampleOnceWithManyThreads)
     EXPECT_EQ(PictureOf(5, counting), alone);
 }
 
+TEST(BlockCache, HoldsFewRowsOfAWidePicture)
+{
+    constexpr std::uint32_t width = 7680, rows = 12, columns = width / Settings::blockSide, tiles = width / kTile;
+    constexpr std::size_t window = (Settings::windowRows + Settings::dependencyRadius) * columns;
+    BlockCache cache(DenoisedLimits(), width, rows * Settings::blockSide, {0, 0, width, rows * Settings::blockSide});
+    std::atomic<std::uint32_t> next{0};
+    std::atomic<bool> held{false};
+    std::atomic<std::size_t> most{0};
+    const auto count = [&]
+    {
+        const std::size_t size = cache.Size();
+        for (std::size_t before = most; before < size && !most.compare_exchange_weak(before, size);)
+        {
+        }
+        return size;
+    };
+    const Tracer trace([&](const SampleRun& run, SampleResult* results)
+    {
+        if (!held.exchange(true))
+        {
+            for (int i = 0; i < 60000 && count() < window; i++)
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        for (std::uint32_t i = 0; i < run.count; i++)
+            results[i] = Grey(0.5 * (run.first.x / 100 % 2));
+    });
+    const auto work = [&]
+    {
+        for (std::uint32_t i = next++; i < tiles * rows / 2; i = next++)
+        {
+            TileSampler(cache).Run({i % tiles * kTile, i / tiles * kTile, kTile, kTile}, trace);
+            count();
+        }
+    };
+    std::future<void> first = std::async(std::launch::async, work), second = std::async(std::launch::async, work);
+    first.get(), second.get();
+    EXPECT_GE(most, window);
+    EXPECT_LE(most, window + Settings::dependencyRadius * columns);
+    EXPECT_EQ(cache.Size(), 0u);
+}
+
 /// One thread waits; the other must finish all first rounds but one.
 TEST(BlockCache, ThreadsWorkAheadInsteadOfWaiting)
 {
@@ -129,6 +170,15 @@ TEST(BlockCache, AnotherThreadRetakesAnInterruptedStep)
             broken++;
         }
     EXPECT_EQ(broken, 1);
+}
+
+TEST(BlockCache, MemoryOfABlock)
+{
+    const double pixels = Settings::blockSide * Settings::blockSide;
+    const double seen = (sizeof(SpreadSums) + sizeof(BlockStatistics)) / pixels;
+    EXPECT_LE(sizeof(PixelEstimate) + seen, 300.0) << "after the first step";
+    EXPECT_LE(sizeof(PixelEstimate) + sizeof(PixelResult) + 2.0 * seen, 460.0) << "after the second step";
+    EXPECT_LE(sizeof(PixelResult) + seen, 170.0) << "after the last step";
 }
 
 } // namespace

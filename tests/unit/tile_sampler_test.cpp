@@ -28,8 +28,8 @@ TEST(TileSamplerLimits, ConstantLightTakesTheMinimum)
         for (const Result& r : ResultsOf(Limits(min, 1024, 1e-4), 2 * Settings::blockSide, Settings::blockSide, Constant))
         {
             EXPECT_EQ(r.samples, min);
-            EXPECT_NEAR(r.mean[0], 0.7, 1e-15);
-            EXPECT_NEAR(r.variance, 0.0, 1e-17);
+            EXPECT_EQ(r.mean[0], 0.7f);
+            EXPECT_NEAR(r.variance, 0.0, 1e-30);
         }
 }
 
@@ -366,14 +366,6 @@ TEST(TileSampler, RimsOfBlurredLampsAreNotTorn)
         }
     EXPECT_GT(rim, 100);
     EXPECT_LE(20 * black, rim) << black << " of " << rim;
-}
-
-TEST(BlockCache, MemoryOfABlock)
-{
-    const double pixels = Settings::blockSide * Settings::blockSide;
-    const double seen = (sizeof(SpreadSums) + sizeof(BlockStatistics)) / pixels;
-    EXPECT_LE(sizeof(PixelEstimate) + seen, 370.0);
-    EXPECT_LE(sizeof(PixelResult) + 2.0 * seen, 320.0);
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 #include <gtest/gtest.h>
 
@@ -190,6 +191,33 @@ TEST(TileSamplerStop, ReportsTheVarianceOfWhiteNoise)
         EXPECT_GT(s.claimed / s.pixels / truth, 0.85) << n;
         EXPECT_LT(s.claimed / s.pixels / truth, 1.3) << n;
     }
+}
+
+TEST(TileSamplerStop, TheGreatestRadiancesSpoilNoFarPixels)
+{
+    for (const double bright : {1e18, 1e25, 3e38})
+        for (const bool denoise : {false, true})
+        {
+            const auto spoiled = [bright](const SampleId& id, SampleResult& light)
+            { light = Grey(id.x == 20 && id.y == 20 && id.index == 3 ? bright : Noise(id, 1)); };
+            SamplingLimits limits = Limits(4, 64, 1e-2);
+            limits.denoise = denoise;
+            const Area all{0, 0, 48, 48};
+            const std::vector<Result> results = ResultsOf(limits, all, 48, 48, spoiled);
+            for (int i = 0; i < int(results.size()); i++)
+            {
+                const int distance = std::max(std::abs(i % 48 - 20), std::abs(i / 48 - 20));
+                EXPECT_TRUE(std::isfinite(results[i].variance) && std::isfinite(results[i].mean[0])) << bright << ", pixel " << i;
+                if (distance <= 1)
+                {
+                    EXPECT_EQ(results[i].samples, limits.max) << bright << ", pixel " << i;
+                }
+                if (distance > (denoise ? 12 : 0))
+                {
+                    EXPECT_LT(results[i].mean[0], 1.0) << bright << ", pixel " << i;
+                }
+            }
+        }
 }
 
 } // namespace

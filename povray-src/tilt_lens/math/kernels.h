@@ -26,6 +26,7 @@ struct GlassFilm;
 struct GlassSurface;
 struct GroupTable;
 struct Lens;
+struct PixelSums;
 struct PupilNode;
 struct Quads;
 struct RayArrays;
@@ -46,8 +47,8 @@ struct Kernels
     void (*findFilmPoints)(double column, double row, double width, double height, const Quads& quads, const SequencePoints& points,
                            CameraSamples& samples);
 
-    /// False, with nothing added, if any radiance may be infinite or NaN.
-    bool (*addRadiances)(const SampleResult* results, std::uint32_t count, double* sum, double* squares, double& greatestEmission);
+    /// Adds one stratum. False, with nothing added, if a radiance is not finite.
+    bool (*addRadiances)(const SampleResult* results, std::uint32_t ofFirstBuffer, std::uint32_t count, bool emitters, PixelSums& pixel);
     /// @}
 
     /// @name Rays

@@ -4,6 +4,8 @@
 #ifndef TILT_LENS_NUMBERS_H
 #define TILT_LENS_NUMBERS_H
 
+#include <algorithm>
+#include <cfloat>
 #include <cstdio>
 #include <string>
 
@@ -12,6 +14,11 @@ namespace tilt_lens
 
 /// Largest relative rounding error of a difference that ought to be 0.
 inline constexpr double kRounding = 1e-14;
+
+inline float FiniteFloat(double value)
+{
+    return float(std::min<double>(value, FLT_MAX));
+}
 
 inline std::string Number(double value)
 {

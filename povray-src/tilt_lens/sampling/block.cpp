@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tilt_lens/math/numbers.h"
 #include "tilt_lens/sampling/convergence.h"
 #include "tilt_lens/sampling/forecast.h"
 #include "tilt_lens/sampling/pixel_variance.h"
@@ -90,6 +91,7 @@ void Block::Look(const SamplingLimits& limits, const Tracer& trace)
     sent.Clear();  // left by an interrupted step
     TakeSamples(*first, samples, limits, limits.variance > 0.0 ? &sent : nullptr, trace);
     UpdateVarianceRatios(*first, samples);
+    sent.ReleaseReserve();
     auto round = std::make_unique<FirstRound>(*first);
     if (limits.Denoises())
         round->statistics = StatisticsOf(*first);
@@ -129,6 +131,8 @@ void Block::Converge(const Neighbours& neighbours, const SamplingLimits& limits,
     else if (limits.Denoises())
         UpdateBlockStatistics(*converged, samples);
     statistics = converged->statistics;
+    SetResults(*converged, limits, around.loneVariance);
+    converged->spread.reset();
     estimate = std::move(converged);
     sent.Clear();
 }
@@ -145,11 +149,16 @@ void Block::Finish(const Neighbours& neighbours, const SamplingLimits& limits, c
         last.spread = received;
         last.statisticsSamples = 0;
         TakeRounds(last, around, limits, samples, nullptr, trace);
+        SetResults(last, limits, around.loneVariance);
     }
-    SetResults(last, limits, around.loneVariance);
     if (last.statistics)
         ReconstructResults(neighbours, limits, last.statistics.get(), received.get());
     estimate.reset();
+    if (!limits.Denoises())
+        return;
+    // all neighbours have taken their second step
+    firstRound->statistics.reset();
+    firstRound->spread.reset();
 }
 
 void Block::SetResults(const BlockEstimate& last, const SamplingLimits& limits, double loneVariance)
@@ -161,8 +170,12 @@ void Block::SetResults(const BlockEstimate& last, const SamplingLimits& limits, 
         const PixelStatistics& own = last.pixels[i].statistics;
         // n samples miss a feature of share 1/n with probability exp(-1)
         const double missed = std::exp(-1.0) * LoneVariance(loneVariance, limits.FirstRound(), own.Samples());
-        results.push_back({std::max(MeanColour(VarianceOfMean(last, i, own.Variance())), missed), own.Mean(), own.Samples(),
-                           own.NotFinite(), own.EmitterSamples()});
+        PixelResult result;
+        result.variance = FiniteFloat(std::max(MeanColour(VarianceOfMean(last, i, own.Variance())), missed));
+        const Radiance mean = own.Mean();
+        std::copy(mean.begin(), mean.end(), result.mean.begin());
+        result.samples = own.Samples(), result.notFinite = own.NotFinite(), result.emitterSamples = own.EmitterSamples();
+        results.push_back(result);
     }
 }
 
@@ -186,7 +199,7 @@ void Block::ReconstructResults(const Neighbours& neighbours, const SamplingLimit
         const Radiance mean = reconstructed.MeanOf(place);
         if (!rows.Has(row) || !IsFinite(mean))  // beside a pixel too bright for a float
             continue;
-        pixel.mean = mean;
+        std::copy(mean.begin(), mean.end(), pixel.mean.begin());
         pixel.variance *= reconstructed.residualVarianceRatio[place];
         pixel.reconstructed = true;
     }

@@ -37,8 +37,8 @@ namespace tilt_lens
 
 struct PixelResult
 {
-    double variance = 0.0;  ///< variance of the mean, averaged over colours, relative to SquaredScale
-    Radiance mean{};
+    float variance = 0.0f;  ///< variance of the mean, averaged over colours, relative to SquaredScale
+    std::array<float, 5> mean{};
     std::uint32_t samples = 0, notFinite = 0, emitterSamples = 0;
     bool reconstructed = false;
 };
@@ -78,7 +78,7 @@ class Block
 
     /// @name Left by the first step
     /// @{
-    std::unique_ptr<const FirstRound> firstRound;
+    std::unique_ptr<FirstRound> firstRound;
     /// @}
     /// @name Left by the second step
     /// @{

@@ -25,11 +25,11 @@ namespace tilt_lens
 struct PixelEstimate
 {
     PixelStatistics statistics;
-    double varianceRatio = 1.0;  ///< variance of the mean over that of as many independent samples
-    double variance = 0.0;       ///< variance of the mean, largest channel, relative to SquaredScale
-    double target = 0.0;         ///< variance target, at the last decision
-    double excess = 0.0;         ///< variance after the reconstruction over the target, at the last decision
-    double residualVarianceRatio = 1.0;  ///< predicted by the last forecast
+    float varianceRatio = 1.0f;  ///< variance of the mean over that of as many independent samples
+    float variance = 0.0f;       ///< variance of the mean, largest channel, relative to SquaredScale
+    float target = 0.0f;         ///< variance target, at the last decision
+    float excess = 0.0f;         ///< variance after the reconstruction over the target, at the last decision
+    float residualVarianceRatio = 1.0f;  ///< predicted by the last forecast
     bool active = true;
 };
 

@@ -9,6 +9,7 @@
 
 #include <boost/math/distributions/chi_squared.hpp>
 
+#include "tilt_lens/math/numbers.h"
 #include "tilt_lens/math/window.h"
 #include "tilt_lens/sampling/forecast.h"
 #include "tilt_lens/sampling/pixel_variance.h"
@@ -45,11 +46,11 @@ void RaiseWhereNeighboursFoundMore(BlockEstimate& estimate, const std::vector<do
     for (std::size_t i = 0; i < variances.size(); i++)
     {
         PixelEstimate& pixel = estimate.pixels[i];
-        const double grown = pixel.active ? 0.0 : variances[i] - pixel.variance;
-        if (!(grown > 0.0))
+        const float variance = FiniteFloat(variances[i]);
+        if (pixel.active || !(variance > pixel.variance))
             continue;
-        pixel.variance += grown;
-        pixel.excess += grown / pixel.target;
+        pixel.excess = FiniteFloat(pixel.excess + (double(variance) - pixel.variance) / pixel.target);
+        pixel.variance = variance;
     }
 }
 
@@ -97,7 +98,7 @@ bool UpdateConvergence(BlockEstimate& estimate, const Neighbourhood& around, con
     const std::vector<double> variances = VariancesToDecide(estimate);
     for (const std::size_t i : candidates)
     {
-        estimate.pixels[i].variance = variances[i];
+        estimate.pixels[i].variance = FiniteFloat(variances[i]);
         estimate.pixels[i].target = target;
     }
     if (limits.variance > 0.0)
@@ -107,7 +108,7 @@ bool UpdateConvergence(BlockEstimate& estimate, const Neighbourhood& around, con
         for (const std::size_t i : candidates)
         {
             PixelEstimate& pixel = estimate.pixels[i];
-            pixel.excess = std::max((reconstructs ? pixel.residualVarianceRatio : 1.0) * pixel.variance, lone) / target;
+            pixel.excess = FiniteFloat(std::max((reconstructs ? pixel.residualVarianceRatio : 1.0) * pixel.variance, lone) / target);
         }
         DecideTogether(estimate, samples);
     }

@@ -4,89 +4,55 @@
 #include "tilt_lens/sampling/pixel_statistics.h"
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 
 #include "tilt_lens/math/kernels.h"
 
 namespace tilt_lens
 {
 
-namespace
-{
-
-void AddOne(const Radiance& value, Radiance& sum, Radiance& allSquares)
-{
-    for (std::size_t c = 0; c < value.size(); c++)
-    {
-        sum[c] += value[c];
-        allSquares[c] += value[c] * value[c];
-    }
-}
-
-} // namespace
-
 void PixelStatistics::BeginRound(std::uint32_t until)
 {
-    AddTo(sum[0], sum[1]);
-    sum[1].fill(0.0);
+    for (std::size_t c = 0; c < std::size(sum[0]); c++)
+    {
+        sum[0][c] += sum[1][c];
+        sum[1][c] = 0.0;
+    }
     firstBuffer = samples == 0 ? until / 2 : samples;
 }
 
-void PixelStatistics::AddEmitterSample(const SampleResult& result)
+void PixelStatistics::AddStratum(const SampleResult* results, std::uint32_t ofFirstBuffer, std::uint32_t count, bool emitters)
 {
-    if (!(result.expectedEmission > 0.0))
+    if (kernels->addRadiances(results, ofFirstBuffer, count, emitters, *this))
         return;
-    AddTo(emitterSum, result.radiance);
-    emitterSamples++;
-    expectedEmission = result.expectedEmission;
-}
-
-void PixelStatistics::AddToBuffer(const SampleResult* results, std::uint32_t count, Radiance& bufferSum)
-{
-    samples += count;
-    double greatestEmission = 0.0;
-    if (kernels->addRadiances(results, count, bufferSum.data(), squares.data(), greatestEmission))
-    {
-        for (std::uint32_t i = 0; greatestEmission > 0.0 && i < count; i++)
-            AddEmitterSample(results[i]);
-        return;
-    }
     for (std::uint32_t i = 0; i < count; i++)
     {
         SampleResult result = results[i];
+        if ((result.expectedEmission > 0.0) != emitters)
+            continue;
         if (!IsFinite(result.radiance))
         {
             result.radiance = Radiance{};
             notFinite++;
         }
-        AddOne(result.radiance, bufferSum, squares);
-        AddEmitterSample(result);
+        kernels->addRadiances(&result, i < ofFirstBuffer, 1, emitters, *this);
     }
 }
 
 void PixelStatistics::Add(const SampleResult* results, std::uint32_t count)
 {
-    const std::uint32_t toFirst = samples < firstBuffer ? std::min(count, firstBuffer - samples) : 0;
-    if (toFirst > 0 && toFirst < count)
-    {
-        AddToBuffer(results, toFirst, sum[0]);
-        AddToBuffer(results + toFirst, count - toFirst, sum[1]);
-    }
-    else
-        AddToBuffer(results, count, sum[toFirst > 0 ? 0 : 1]);
+    const std::uint32_t after = samples + count, ofFirstBuffer = samples < firstBuffer ? std::min(count, firstBuffer - samples) : 0;
+    AddStratum(results, ofFirstBuffer, count, false);
+    if (samples < after)
+        AddStratum(results, ofFirstBuffer, count, true);
 }
 
 Radiance PixelStatistics::Variance() const
 {
     Radiance variance{};
-    const double n = samples, atEmitters = emitterSamples;
-    for (std::size_t c = 0; c < variance.size() && n > 1.0; c++)
-    {
-        double ofMeans = Square(sum[0][c] + sum[1][c] - emitterSum[c]) / (n - atEmitters);
-        if (atEmitters > 0.0)
-            ofMeans += Square(emitterSum[c]) / atEmitters;
-        variance[c] = std::max(0.0, squares[c] - ofMeans) / (n - 1.0);
-    }
+    const double n = samples, correction = n / (n - 1.0);
+    for (std::size_t c = 0; c < variance.size() && samples > 1; c++)
+        variance[c] = correction * Square(deviation[c]);
     return variance;
 }
 

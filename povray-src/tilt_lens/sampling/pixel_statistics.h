@@ -5,13 +5,11 @@
 /// Statistics of one pixel's samples: docs/sampling.md, section 3. Two buffers sum the earlier rounds and the last one, at first its
 /// halves.
 ///
-/// Sources: dual buffers as in F. Rousselle, C. Knaus, M. Zwicker, "Adaptive rendering with non-local means filtering", ACM Trans. Graph.
-/// 31(6), 2012; the variance of stratified samples as in W. G. Cochran, "Sampling Techniques", 1977, chapter 5.
+/// Source of updates: T. F. Chan, G. H. Golub, R. J. LeVeque, "Algorithms for computing the sample variance", Amer. Statist. 37(3), 1983.
 
 #ifndef TILT_LENS_PIXEL_STATISTICS_H
 #define TILT_LENS_PIXEL_STATISTICS_H
 
-#include <array>
 #include <cstdint>
 
 #include "tilt_lens/math/radiance.h"
@@ -21,7 +19,16 @@
 namespace tilt_lens
 {
 
-class PixelStatistics
+struct PixelSums
+{
+    double sum[2][5] = {};  ///< per buffer
+    float deviation[5] = {};  ///< root mean square, from the mean of the stratum: plain or emitter samples
+    float emitterMean[5] = {};
+    std::uint32_t samples = 0, emitterSamples = 0;
+    float expectedEmission = 0.0f;
+};
+
+class PixelStatistics : private PixelSums
 {
   public:
     /// The round ends before sample number `until`.
@@ -36,23 +43,16 @@ class PixelStatistics
     double ExpectedEmission() const { return expectedEmission; }
 
     Radiance Mean() const;
-    /// One sample's variance; 0 for fewer than two. Only deviations within the two strata, plain and emitter samples, count.
+    /// One sample's variance within the strata; 0 for fewer than two.
     Radiance Variance() const;
     /// Pure noise.
     Radiance DualBufferDifference() const;
     std::uint32_t FirstBufferSamples() const { return firstBuffer; }
 
   private:
-    std::array<Radiance, 2> sum{};  ///< per buffer
-    Radiance squares{};
-    Radiance emitterSum{};
-    std::uint32_t samples = 0;
-    std::uint32_t firstBuffer = 0;
-    std::uint32_t emitterSamples = 0, notFinite = 0;
-    double expectedEmission = 0.0;
+    std::uint32_t firstBuffer = 0, notFinite = 0;
 
-    void AddToBuffer(const SampleResult* results, std::uint32_t count, Radiance& bufferSum);
-    void AddEmitterSample(const SampleResult& result);
+    void AddStratum(const SampleResult* results, std::uint32_t ofFirstBuffer, std::uint32_t count, bool emitters);
 };
 
 } // namespace tilt_lens

@@ -37,6 +37,7 @@ class SentSamples
     std::shared_ptr<const SpreadSums> Spread(const std::vector<std::uint32_t>& samples, std::uint32_t weight) const;
 
     void Clear() { std::vector<Sample>().swap(kept); }
+    void ReleaseReserve() { kept.shrink_to_fit(); }
 
   private:
     struct Sample

@@ -26,7 +26,11 @@ class TileSampler
 
     /// @name Valid after Run, for pixels of the tile.
     /// @{
-    Radiance Mean(std::uint32_t x, std::uint32_t y) const { return At(x, y).mean; }
+    Radiance Mean(std::uint32_t x, std::uint32_t y) const
+    {
+        const auto& mean = At(x, y).mean;
+        return {mean[0], mean[1], mean[2], mean[3], mean[4]};
+    }
     std::uint32_t Samples(std::uint32_t x, std::uint32_t y) const { return At(x, y).samples; }
     double Variance(std::uint32_t x, std::uint32_t y) const { return At(x, y).variance; }  ///< as in PixelResult
     SamplingStatistics Statistics() const;
