@@ -114,8 +114,8 @@ struct Settings
 
     /// @name Forecast of the reconstruction (section 6)
     /// @{
-    /// Rays per pixel of a block that a forecast must save: about its cost.
-    double forecastCost = 0.5;
+    /// Rays per pixel of a block that a forecast must save: its cost where rays are cheapest.
+    double forecastCost = 1.0;
     /// @}
 };
 
