@@ -73,8 +73,8 @@ void UpdateBlockStatistics(BlockEstimate& estimate, std::uint32_t samples)
     estimate.statisticsSamples = samples;
 }
 
-bool UpdateForecast(BlockEstimate& estimate, const std::vector<std::size_t>& candidates, const Neighbourhood& around, const SamplingLimits& limits,
-                    std::uint32_t samples)
+bool UpdateForecast(BlockEstimate& estimate, const std::vector<std::size_t>& candidates, const Neighbourhood& around,
+                    const SamplingLimits& limits, std::uint32_t samples)
 {
     // The last round's ratio is optimistic, since the ratio rises as noise falls: skip the forecast if even it saves too few rays.
     const auto saved = std::count_if(candidates.begin(), candidates.end(), [&estimate](std::size_t i)
