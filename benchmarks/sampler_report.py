@@ -161,6 +161,8 @@ def section_threads(rows):
             f"{row['cpu']:.2f}",
             f"{threads.efficiency(rows, row):.2f}",
             percent(row["waited"]),
+            f"{row['run']:.2f}",
+            percent(row["idle"]),
         ]
         for row in rows
     ]
@@ -174,6 +176,8 @@ def section_threads(rows):
                 "tracing, CPU s",
                 "speed over that of one thread and their number",
                 "share that each thread waited",
+                "whole run, s",
+                "of it processors idle",
             ],
             cells,
         ),

@@ -1,6 +1,7 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Wall time of tracing by threads, and the share that they wait. The machine must be quiet: a thread without a processor waits, too."""
+"""Wall time of tracing by threads, the share that they wait, and the share of the whole run in which processors idle. The machine must be
+quiet: a thread without a processor waits, too."""
 
 import os
 import re
@@ -25,13 +26,14 @@ def traced(messages):
 
 
 def run(lab, shot, repetition):
-    key = digest("threads", lab.hashes[lab.ours], shot.settings(), shot.sources())
+    key = digest("threads and whole run", lab.hashes[lab.ours], shot.settings(), shot.sources())
     record = lab.runs.get((key, repetition))
     if record is None:
         picture = lab.work / "pictures" / f"{key}.png"
-        wall, cpu = traced(lab.render(lab.ours, shot, picture)[0])
+        messages, run_cpu, run_wall = lab.render(lab.ours, shot, picture)
+        wall, cpu = traced(messages)
         picture.unlink()
-        record = {"key": key, "repetition": repetition, "wall": wall, "cpu": cpu}
+        record = {"key": key, "repetition": repetition, "wall": wall, "cpu": cpu, "run_wall": run_wall, "run_cpu": run_cpu}
         lab.keep(record)
     return record
 
@@ -49,8 +51,10 @@ def of_scene(lab, name):
             records[threads].append(run(lab, shot, repetition))
     rows = []
     for threads, found in records.items():
-        wall, cpu = (statistics.median(record[what] for record in found) for what in ("wall", "cpu"))
-        waited = statistics.median(1 - record["cpu"] / (threads * record["wall"]) for record in found)
+        wall, cpu, run_wall = (statistics.median(record[what] for record in found) for what in ("wall", "cpu", "run_wall"))
+        waited, idle = (
+            statistics.median(1 - record[f"{of}cpu"] / (threads * record[f"{of}wall"]) for record in found) for of in ("", "run_")
+        )
         rows.append(
             {
                 "scene": name,
@@ -59,6 +63,8 @@ def of_scene(lab, name):
                 "wall": round(wall, 3),
                 "cpu": round(cpu, 3),
                 "waited": round(waited, 4),
+                "run": round(run_wall, 3),
+                "idle": round(idle, 4),
             }
         )
     return rows
@@ -70,5 +76,4 @@ def efficiency(rows, row):
 
 
 def measure(lab, names):
-    wanted = [name for name in suite.DISPLAY if name in names and (not lab.quick or name in suite.QUICK_DISPLAY)]
-    return [row for name in wanted for row in of_scene(lab, name)]
+    return [row for name in suite.DISPLAY if name in names for row in of_scene(lab, name)]

@@ -83,10 +83,12 @@ class Threads(unittest.TestCase):
                 "wall": wall,
                 "cpu": 10.0,
                 "waited": 1 - 10.0 / (count * wall),
+                "run": 2 * wall,
+                "idle": 0.25,
             }
             for count, wall in ((1, 10.0), (2, 6.25))
         ]
-        self.assertIn("| town | 2 | 6.25 | 10.00 | 0.80 | 20.0 % |", report.section("threads", rows))
+        self.assertIn("| town | 2 | 6.25 | 10.00 | 0.80 | 20.0 % | 12.50 | 25.0 % |", report.section("threads", rows))
         self.assertIn("0.80 at the least (missed)", report.section("threads", rows))
 
 
