@@ -14,11 +14,16 @@ return [focusPage.livePixels(), focusPage.otherPixels()].map(pixels => corners.f
 """
 
 
-class Truth(BesidePage):
-    def test_the_true_picture_is_over_the_picture_of_its_lens(self):
+class TruthPage(BesidePage):
+    def setUp(self):
+        super().setUp()
         self.open_pair()
         self.choose("quality", 0)
         self.true_picture(160)
+
+
+class Truth(TruthPage):
+    def test_the_true_picture_is_over_the_picture_of_its_lens(self):
         self.assertEqual(self.run(OVER), "stage")
         self.assertNotIn("render again", self.text("true-said"))
         self.press("input[name=pair][value=A]")
@@ -27,6 +32,12 @@ class Truth(BesidePage):
         self.browser.refresh()
         self.until("the picture", lambda: self.drawn() and "Done" in self.text("true-said"))
         self.assertEqual(self.run(OVER), "other-stage")
+        self.assertEqual(self.console(), [])
+
+
+class OtherTruth(TruthPage):
+    def test_the_true_picture_of_another_lens_is_named(self):
+        self.press("input[name=pair][value=A]")
         self.press("#beside")
         self.assertEqual(self.run(OVER), "stageother", "alone, it is over the picture of another lens")
         self.assertIn("Of another lens: render again.", self.text("true-said"))
