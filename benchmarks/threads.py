@@ -12,6 +12,8 @@ from benchmarks.lab import TILT_LENS, Failed, Shot, digest
 
 SIZE, QUICK_SIZE = suite.DISPLAY_SIZE, (320, 180)
 REPETITIONS = 3
+SLEEPERS = (4, 16, 64)
+SLEPT = 20  # seconds of wall time if none waits: the sampler's own computing, on few processors, is small against it
 
 
 def numbers_of_threads(processors=None):
@@ -70,10 +72,27 @@ def of_scene(lab, name):
     return rows
 
 
+def sleeping(lab, name):
+    """Threads sleep for as many rays as the picture took; so there may be more of them than processors."""
+    lab.say(f"{name} with {', '.join(map(str, SLEEPERS))} threads that sleep")
+    shot = Shot(name, TILT_LENS, 1, SIZE, threads=2, folder=gallery.GALLERY, options=("+N",))
+    picture = lab.work / "pictures" / f"{name}-counts.png"
+    layers = picture.with_suffix(".layers.exr")
+    lab.render(lab.ours, shot, picture)
+    found = lab.tool("thread_waits", layers, "--threads", ",".join(map(str, SLEEPERS)), "--seconds", SLEPT)
+    picture.unlink()
+    layers.unlink()
+    return [{"scene": name, "threads": row["threads"], "busy": round(row["busy"], 4)} for row in found]
+
+
 def efficiency(rows, row):
     one = next(other for other in rows if other["scene"] == row["scene"] and other["threads"] == 1)
     return one["wall"] / (row["threads"] * row["wall"])
 
 
 def measure(lab, names):
-    return [row for name in suite.DISPLAY if name in names for row in of_scene(lab, name)]
+    wanted = [name for name in suite.DISPLAY if name in names]
+    return {
+        "traced": [row for name in wanted for row in of_scene(lab, name)],
+        "slept": [row for name in suite.QUICK_DISPLAY if name in wanted for row in sleeping(lab, name)],
+    }

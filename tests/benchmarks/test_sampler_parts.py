@@ -88,8 +88,16 @@ class Threads(unittest.TestCase):
             }
             for count, wall in ((1, 10.0), (2, 6.25))
         ]
-        self.assertIn("| town | 2 | 6.25 | 10.00 | 0.80 | 20.0 % | 12.50 | 25.0 % |", report.section("threads", rows))
-        self.assertIn("0.80 at the least (missed)", report.section("threads", rows))
+        slept = [{"scene": "miniature_town", "threads": count, "busy": busy} for count, busy in ((4, 0.98), (16, 0.96), (64, 0.85))]
+        text = report.section("threads", {"traced": rows, "slept": slept})
+        for words in (
+            "| town | 2 | 6.25 | 10.00 | 0.80 | 20.0 % | 12.50 | 25.0 % |",
+            "0.80 at the least (missed)",
+            "| town | 0.980 | 0.960 | 0.850 |",
+            "0.960 at the least (reached)",
+            "0.850 at the least (missed)",
+        ):
+            self.assertIn(words, text)
 
 
 class FoundLamps(unittest.TestCase):
