@@ -84,14 +84,14 @@ class Unwritable(unittest.TestCase):
         code, said = self.attempt(scene)
         self.assertEqual(code, 0, said)
         picture = self.folder / "picture.png"
-        whole = picture.read_bytes()
+        whole = rendering.read_pixels(picture)
         picture.unlink()
         files = {"All_File": "all.txt", "Debug_File": "debug.txt"}
         for name in files.values():
             (self.folder / name).symlink_to("/dev/full")
         code, said = self.attempt(scene, "+Opicture.png", *(f"{option}={name}" for option, name in files.items()))
         self.assertEqual(code, 0, said)
-        self.assertEqual(picture.read_bytes(), whole)
+        self.assertEqual(rendering.read_pixels(picture), whole)
         for name in files.values():
             self.assert_once(said, f"Warning: Cannot write the file '{name}' (No space left on device)", "make room there")
 
