@@ -79,6 +79,26 @@ class Unwritable(unittest.TestCase):
         self.assertNotIn("Cannot write", said)
         self.assertEqual((self.folder / "text").stat().st_size, 32 * count)
 
+    def test_lost_messages_do_not_end_the_render(self):
+        scene = '#debug "text\\n"\n' + scenes.TILTED
+        code, said = self.attempt(scene)
+        self.assertEqual(code, 0, said)
+        picture = self.folder / "picture.png"
+        whole = rendering.read_pixels(picture)
+        picture.unlink()
+        files = {"All_File": "all.txt", "Debug_File": "debug.txt"}
+        for name in files.values():
+            (self.folder / name).symlink_to("/dev/full")
+        code, said = self.attempt(scene, "+Opicture.png", *(f"{option}={name}" for option, name in files.items()))
+        self.assertEqual(code, 0, said)
+        self.assertEqual(rendering.read_pixels(picture), whole)
+        for name in files.values():
+            self.assert_once(said, f"Warning: Cannot write the file '{name}' (No space left on device)", "make room there")
+
+    def test_messages_in_a_missing_folder(self):
+        said = self.refused("+Onowhere/a.png", "All_File=all.txt")
+        self.assert_once(said, "Cannot open file 'nowhere/all.txt' for output (No such file or directory)")
+
     def test_long_text_is_in_the_console_text(self):
         text = f'"{"long " * 40}"'
         warning = f'#warning concat({", ".join([text] * 9)}, "end")\n'
