@@ -31,9 +31,6 @@ class Skipped(rendering.RenderTest):
         self.assertGreaterEqual(ended[0], 64 * 16)
         self.assertLess(ended[0], 64 * 24)
 
-    def test_first_round_is_longer_if_many_pixels_of_a_block_need_more(self):
-        self.assertEqual(numbers("Ended at the minimum", said_of(FLOOR + EVEN))[0], 0)
-
     def test_minimum_is_a_power_of_two(self):
         self.assertEqual(numbers("Ended at the minimum", said_of(EVEN, "blur_samples 9, 256 variance 1/2000 "))[2], 16)
         self.assertIsNone(numbers("Ended at the minimum", said_of(EVEN, "blur_samples 9, 16 variance 0 ")))
