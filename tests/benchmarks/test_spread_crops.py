@@ -1,11 +1,11 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The crops of docs/sampling.md agree with benchmarks/spread_crops.py."""
+"""The pictures of docs/sampling.md are those of benchmarks/spread_crops.py and lamp_crops.py."""
 
 import re
 import unittest
 
-from benchmarks import spread_crops
+from benchmarks import lamp_crops, spread_crops
 from tools.repository import ROOT
 
 BLOCK = 16
@@ -13,10 +13,13 @@ BLOCK = 16
 
 class Crops(unittest.TestCase):
     def test_each_is_made_and_shown(self):
-        shown = re.findall(r"pictures/sampling/(\w+)\.jpg", (ROOT / "docs" / "sampling.md").read_text())
-        made = [f"spread_{scene}" for scene in spread_crops.CROPS]
-        self.assertEqual(sorted(shown), sorted(made))
-        self.assertEqual(sorted(path.stem for path in spread_crops.PICTURES.iterdir()), sorted(made))
+        page = (ROOT / "docs" / "sampling.md").read_text()
+        for folder, made in (
+            (spread_crops.PICTURES, [f"spread_{scene}" for scene in spread_crops.CROPS]),
+            (lamp_crops.PICTURES, [*lamp_crops.CROPS]),
+        ):
+            self.assertEqual(sorted(re.findall(rf"pictures/{folder.name}/(\w+)\.jpg", page)), sorted(made))
+            self.assertEqual(sorted(path.stem for path in folder.iterdir()), sorted(made))
 
     def test_they_are_whole_blocks_inside_the_picture(self):
         for scene, corner in spread_crops.CROPS.items():
