@@ -140,25 +140,13 @@ def goals_threads(rows):
     for count, wanted in ((2, 0.97), (16, 0.95)):
         found = [threads.efficiency(traced, row) for row in traced if row["threads"] == count]
         if found:
-            goals.append(
-                Goal(
-                    f"Speed of {count} threads over {count} times that of one, in each scene",
-                    f"at least {wanted}",
-                    f"{min(found):.2f} at the least",
-                    min(found) >= wanted,
-                )
-            )
+            what = f"Speed of {count} threads over {count} times that of one, in each scene"
+            goals.append(Goal.of_least(what, min(found), wanted, f"{min(found):.2f}"))
     for count, wanted in ((16, 0.95), (64, 0.9)):
         found = [row["busy"] for row in rows["slept"] if row["threads"] == count]
         if found:
-            goals.append(
-                Goal(
-                    f"Share of the time that {count} threads are busy, if they sleep instead of tracing, in each scene",
-                    f"at least {wanted}",
-                    f"{min(found):.3f} at the least",
-                    min(found) >= wanted,
-                )
-            )
+            what = f"Share of the time that {count} threads are busy, if they sleep instead of tracing, in each scene"
+            goals.append(Goal.of_least(what, min(found), wanted, f"{min(found):.3f}"))
     return goals
 
 

@@ -29,6 +29,10 @@ class Goal:
     def of_greatest(cls, figure, greatest, limit, wanted, measured):
         return cls(figure, f"at most {wanted}", f"{measured} at the most", greatest <= limit)
 
+    @classmethod
+    def of_least(cls, figure, least, limit, measured):
+        return cls(figure, f"at least {limit}", f"{measured} at the least", least >= limit)
+
     def sentence(self):
         return f"Goal: {self.figure}: {self.wanted}. Measured: {self.measured} ({self.verdict})."
 

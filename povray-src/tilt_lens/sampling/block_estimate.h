@@ -60,7 +60,7 @@ struct BlockEstimate
     bool HasNoise() const;
 };
 
-/// Immutable.
+/// Immutable until its block's last step, which frees the parts that no neighbour reads any more.
 struct FirstRound
 {
     std::size_t pixels;
