@@ -51,6 +51,9 @@ def main():
     parser.add_argument("--before", type=pathlib.Path, required=True)
     parser.add_argument("--ours", type=pathlib.Path, default=BUILD / "bin" / "povray")
     args = parser.parse_args()
+    for program in (args.before, args.ours):
+        if not program.is_file():
+            parser.error(f"there is no program {program}")
     PICTURES.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         for scene in CROPS:
