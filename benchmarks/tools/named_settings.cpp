@@ -14,13 +14,13 @@ namespace tilt_lens
 namespace
 {
 
-using Field = std::variant<double Settings::*, float Settings::*, std::uint32_t Settings::*>;
+using Field = std::variant<double Settings::*, float Settings::*, std::uint32_t Settings::*, bool Settings::*>;
 
 #define FIELD(name) {#name, Field(&Settings::name)}
 const std::map<std::string, Field> fields = {
-    FIELD(doubledSamples),  FIELD(varianceRatioPrior),   FIELD(outlyingRatio), FIELD(lensPointBlur),    FIELD(emitterShare),
-    FIELD(emittersOfPixel), FIELD(hiddenEmitterSamples), FIELD(greatestRisk),  FIELD(riskLimit),        FIELD(chanceRisk),
-    FIELD(mostSentSamples), FIELD(spreadWeight),         FIELD(missedWeight),  FIELD(leastRowVariance), FIELD(forecastCost),
+    FIELD(doubledSamples),  FIELD(varianceRatioPrior),   FIELD(outlyingRatio),    FIELD(lensPointBlur), FIELD(emitterShare),
+    FIELD(emittersOfPixel), FIELD(hiddenEmitterSamples), FIELD(greatestRisk),     FIELD(chanceRisk),    FIELD(mostSentSamples),
+    FIELD(spreadWeight),    FIELD(missedWeight),         FIELD(leastRowVariance), FIELD(forecasts),
 };
 #undef FIELD
 

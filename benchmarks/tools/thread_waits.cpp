@@ -85,7 +85,7 @@ nlohmann::json Run(const witness::Picture& counts, int threads, double seconds)
     limits.min = Settings::firstSamples;
     limits.variance = kVariance;
     limits.denoise = true;
-    limits.settings.forecastCost = INFINITY;  // white noise would be filtered
+    limits.settings.forecasts = false;  // white noise would be filtered
     BlockCache cache(limits, width, height, {0, 0, width, height});
     std::atomic<std::uint32_t> next{0};
     std::vector<SleepingTracer> tracers(threads, SleepingTracer(counts, seconds * threads / expected));

@@ -98,10 +98,9 @@ struct Settings
 
     /// @name Reconstruction (section 5)
     /// @{
-    /// A filter with a risk above this multiple of the unfiltered pixels' has no weight; risks below the inverse are chance.
-    float greatestRisk = 20.0f;
-    /// Limit of a pixel's risk over its noise, outside its 3 by 3 window.
-    float riskLimit = 8.0f;
+    /// Multiple of the unfiltered pixels' risk from which a filter has no weight, and by which a single pixel outside the 3 by 3 window counts
+    /// at most; risks below the inverse are chance.
+    float greatestRisk = 16.0f;
     /// Risk over noise of a 3 by 3 window that chance can explain.
     float chanceRisk = 2.0f;
     /// Weight of a spread estimate of other pixels' samples alone, relative to a filter with equal risk.
@@ -110,12 +109,8 @@ struct Settings
     float missedWeight = 100.0f;
     /// Least mean variance over `variance` of a reconstructed row.
     double leastRowVariance = 1.0 / 32.0;
-    /// @}
-
-    /// @name Forecast of the reconstruction (section 6)
-    /// @{
-    /// Rays per pixel of a block that a forecast must save: its cost where rays are cheapest.
-    double forecastCost = 1.0;
+    /// The stop rule counts on the reconstruction (section 6). Off in measurements alone.
+    bool forecasts = true;
     /// @}
 };
 

@@ -167,7 +167,7 @@ class RiskWeightedMean
             Store(&deviationLeft[i], Load<Floats>(&deviationLeft[i]) + weight * candidate.DeviationLeft(i));
             Store(&centreTap[i], Load<Floats>(&centreTap[i]) + weight * candidate.CentreTap(i));
             for (int c = 0; c < kChannels; c++)
-                Store(&means[c][i], Load<Floats>(&means[c][i]) + weight * candidate.Mean(c, i));
+                Store(&means[c][i], Load<Floats>(&means[c][i]) + weight * Load<Floats>(&filtered[c][i]));
         });
     }
 
@@ -214,6 +214,7 @@ class RiskWeightedMean
     Plane units, noises, noiseAround, noiseNear, risk, limited, riskAround, riskNear;
     Plane weights{}, deviationLeft{}, centreTap{};
     Plane means[kChannels]{};
+    Plane filtered[kChannels];  ///< means of the candidate that is added
 
     template<class Candidate>
     TILT_LENS_INLINED void FindRisk(const Candidate& candidate)
@@ -224,13 +225,15 @@ class RiskWeightedMean
             Floats squares = Floats();
             for (int c = 0; c < kChannels; c++)
             {
-                const Floats difference = candidate.Mean(c, i) - Load<Floats>(&around.mean[c][i]);
+                const Floats mean = candidate.Mean(c, i);
+                Store(&filtered[c][i], mean);
+                const Floats difference = mean - Load<Floats>(&around.mean[c][i]);
                 squares += difference * difference;
             }
             const Floats noise = Load<Floats>(&noises[i]), all = squares * Load<Floats>(&units[i]) - noiseTaken * noise;
             const Floats whole = Min(all, Floats() + Settings::greatestFiniteRisk);
             Store(&risk[i], whole);
-            Store(&limited[i], Min(whole, around.settings.riskLimit * noise));
+            Store(&limited[i], Min(whole, around.settings.greatestRisk * noise));
         });
     }
 

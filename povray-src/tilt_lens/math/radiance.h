@@ -37,9 +37,9 @@ inline void AddTo(double& sum, double value)
 {
     sum += value;
 }
-inline void DivideBy(double& value, double divisor)
+inline void ScaleBy(double& value, double factor)
 {
-    value /= divisor;
+    value *= factor;
 }
 
 inline void AddTo(Radiance& sum, const Radiance& value)
@@ -47,10 +47,10 @@ inline void AddTo(Radiance& sum, const Radiance& value)
     Combine(sum, value, [](const auto& a, const auto& b) { return a + b; });
 }
 
-inline void DivideBy(Radiance& value, double divisor)
+inline void ScaleBy(Radiance& value, double factor)
 {
     for (double& channel : value)
-        channel /= divisor;
+        channel *= factor;
 }
 
 inline bool IsFinite(const Radiance& value)
@@ -78,6 +78,15 @@ inline double LargestChannel(const Radiance& value)
     for (const double x : value)
         largest = std::max(largest, x);
     return largest;
+}
+
+/// By what a pixel's samples are counted: error is measured over the colours, but seen in the worst. So half of each; transparency counts
+/// alone.
+/// @param variance  without negative channels
+inline double DecisiveVariance(const Radiance& variance)
+{
+    const double worst = std::max({variance[0], variance[1], variance[2]});
+    return std::max({0.5 * (MeanColour(variance) + worst), variance[3], variance[4]});
 }
 
 /// Divisor that makes a variance relative: 1 up to white, the squared mean above, as eyes see errors.

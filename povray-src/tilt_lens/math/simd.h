@@ -12,7 +12,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <cstring>
 #include <type_traits>
 #include <utility>
 
@@ -59,13 +58,14 @@ inline bool HasAvx2()
 #endif
 }
 
+// std::memcpy is a call where a distribution's compiler checks it at run time (_FORTIFY_SOURCE).
 template<class Vector, class Number>
 TILT_LENS_INLINED Vector Load(const Number* from)
 {
     if constexpr (std::is_same_v<Vector, Number>)
         return *from;
     Vector vector;
-    std::memcpy(&vector, from, sizeof(vector));
+    __builtin_memcpy(&vector, from, sizeof(vector));
     return vector;
 }
 
@@ -75,7 +75,7 @@ TILT_LENS_INLINED void Store(Number* to, const Vector& vector)
     if constexpr (std::is_same_v<Vector, Number>)
         *to = vector;
     else
-        std::memcpy(to, &vector, sizeof(vector));
+        __builtin_memcpy(to, &vector, sizeof(vector));
 }
 
 /// bool for numbers, a mask for registers.

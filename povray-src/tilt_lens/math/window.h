@@ -8,32 +8,37 @@
 #include <vector>
 
 #include "tilt_lens/math/radiance.h"
+#include "tilt_lens/math/rows.h"
 
 namespace tilt_lens
 {
 
 /// Means over pixels at most `kRadius` columns and rows away, within the rectangle.
-/// @tparam Value  starts as zero; needs AddTo() and DivideBy()
+/// @tparam Value  starts as zero; needs AddTo() and ScaleBy()
 /// @param values  row by row
+/// @param rows    rows with means; all others are zero
 template<int kRadius, class Value>
-std::vector<Value> WindowMeans(const std::vector<Value>& values, int width)
+std::vector<Value> WindowMeans(const std::vector<Value>& values, int width, const Rows& rows = Rows())
 {
-    const int height = int(values.size()) / width;
-    const auto means = [](const std::vector<Value>& from, int along, int step, int across, int stepAcross)
+    const auto meanOf = [](const Value* middle, int step, int place, int length)
     {
-        std::vector<Value> to(from.size(), Value());
-        for (int y = 0; y < across; y++)
-            for (int x = 0; x < along; x++)
-            {
-                const int first = std::max(0, x - kRadius), last = std::min(along - 1, x + kRadius);
-                Value& mean = to[y * stepAcross + x * step];
-                for (int u = first; u <= last; u++)
-                    AddTo(mean, from[y * stepAcross + u * step]);
-                DivideBy(mean, last - first + 1);
-            }
-        return to;
+        const int first = std::max(-kRadius, -place), last = std::min(kRadius, length - 1 - place);
+        Value mean = Value();
+        for (int i = first; i <= last; i++)
+            AddTo(mean, middle[i * step]);
+        ScaleBy(mean, 1.0 / (last - first + 1));
+        return mean;
     };
-    return means(means(values, width, 1, height, width), height, width, width, 1);
+    const int height = int(values.size()) / width;
+    const Rows wanted = rows.Grown(0, height), read = wanted.Grown(kRadius, height);
+    std::vector<Value> ofRows(values.size()), means(values.size());
+    for (int y = read.begin; y < read.end; y++)
+        for (int x = 0; x < width; x++)
+            ofRows[y * width + x] = meanOf(&values[y * width + x], 1, x, width);
+    for (int y = wanted.begin; y < wanted.end; y++)
+        for (int x = 0; x < width; x++)
+            means[y * width + x] = meanOf(&ofRows[y * width + x], width, y, height);
+    return means;
 }
 
 } // namespace tilt_lens

@@ -13,20 +13,12 @@
 #include <array>
 
 #include "tilt_lens/math/radiance.h"
+#include "tilt_lens/math/rows.h"
 #include "tilt_lens/reconstruction/block_statistics.h"
 #include "tilt_lens/reconstruction/padded_spread.h"
 
 namespace tilt_lens
 {
-
-/// begin <= row < end
-struct Rows
-{
-    int begin = 0, end = int(Settings::blockSide);
-
-    bool IsEmpty() const { return begin >= end; }
-    bool Has(int row) const { return row >= begin && row < end; }
-};
 
 struct ReconstructedBlock
 {

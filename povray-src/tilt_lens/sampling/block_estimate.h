@@ -26,7 +26,7 @@ struct PixelEstimate
 {
     PixelStatistics statistics;
     float varianceRatio = 1.0f;  ///< variance of the mean over that of as many independent samples
-    float variance = 0.0f;       ///< variance of the mean, largest channel, relative to SquaredScale
+    float variance = 0.0f;       ///< DecisiveVariance() of the mean, relative to SquaredScale
     float target = 0.0f;         ///< variance target, at the last decision
     float excess = 0.0f;         ///< variance after the reconstruction over the target, at the last decision
     float residualVarianceRatio = 1.0f;  ///< predicted by the last forecast

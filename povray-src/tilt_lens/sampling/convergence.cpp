@@ -95,7 +95,8 @@ bool UpdateConvergence(BlockEstimate& estimate, const Neighbourhood& around, con
     const std::vector<std::size_t> candidates = Candidates(estimate, samples);
     const double target = limits.variance / ConfidenceFactor(samples, limits.confidence);
     const double lone = LoneVariance(around.loneVariance, limits.FirstRound(), samples);
-    const std::vector<double> variances = VariancesToDecide(estimate);
+    const Rows sampled = Rows::Of(candidates, estimate.area.width);
+    const std::vector<double> variances = VariancesToDecide(estimate, sampled.Grown(Settings::neighbourRadius, int(estimate.area.height)));
     for (const std::size_t i : candidates)
     {
         estimate.pixels[i].variance = FiniteFloat(variances[i]);
@@ -104,7 +105,8 @@ bool UpdateConvergence(BlockEstimate& estimate, const Neighbourhood& around, con
     if (limits.variance > 0.0)
     {
         RaiseWhereNeighboursFoundMore(estimate, variances);
-        const bool reconstructs = limits.Denoises() && UpdateForecast(estimate, candidates, around, limits, samples);
+        const bool reconstructs = limits.Denoises() && limits.settings.forecasts &&
+                                  UpdateForecast(estimate, candidates, around, limits, samples);
         for (const std::size_t i : candidates)
         {
             PixelEstimate& pixel = estimate.pixels[i];

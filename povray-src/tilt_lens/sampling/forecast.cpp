@@ -23,14 +23,15 @@ std::size_t PlaneIndex(const BlockEstimate& estimate, std::size_t pixel)
 }
 
 /// Includes the neighbours after the first round only: later their greater noise would be taken for the block's error.
-BlockPlane ForecastRatios(BlockEstimate& estimate, const Neighbourhood& around, std::uint32_t samples, bool afterFirstRound)
+BlockPlane ForecastRatios(BlockEstimate& estimate, const Neighbourhood& around, const Rows& rows, std::uint32_t samples,
+                          bool afterFirstRound)
 {
     UpdateBlockStatistics(estimate, samples);
     std::array<const BlockStatistics*, 9> known{};
     if (afterFirstRound)
         known = EachOf<BlockStatistics>(around.rounds, &FirstRound::statistics);
     known[4] = estimate.statistics.get();
-    return Reconstruct(PaddedBlock(known), estimate.settings, estimate.spread.get()).residualVarianceRatio;
+    return Reconstruct(PaddedBlock(known), estimate.settings, estimate.spread.get(), rows).residualVarianceRatio;
 }
 
 /// Variance of one sample, summed over the channels: mean of the 3 by 3 window within the block.
@@ -76,15 +77,16 @@ void UpdateBlockStatistics(BlockEstimate& estimate, std::uint32_t samples)
 bool UpdateForecast(BlockEstimate& estimate, const std::vector<std::size_t>& candidates, const Neighbourhood& around,
                     const SamplingLimits& limits, std::uint32_t samples)
 {
-    // The last round's ratio is optimistic, since the ratio rises as noise falls: skip the forecast if even it saves too few rays.
-    const auto saved = std::count_if(candidates.begin(), candidates.end(), [&estimate](std::size_t i)
+    // The last round's ratio is optimistic, since the ratio rises as noise falls: no forecast if even it saves no pixel.
+    const bool saves = std::any_of(candidates.begin(), candidates.end(), [&estimate](std::size_t i)
     {
         const PixelEstimate& pixel = estimate.pixels[i];
         return pixel.variance > pixel.target && pixel.residualVarianceRatio * pixel.variance <= pixel.target;
     });
-    if (saved == 0 || saved * samples < estimate.settings.forecastCost * Settings::blockSide * Settings::blockSide)
+    if (!saves)
         return false;
-    const BlockPlane ratios = ForecastRatios(estimate, around, samples, samples == limits.FirstRound());
+    const Rows rows = Rows::Of(candidates, estimate.area.width);
+    const BlockPlane ratios = ForecastRatios(estimate, around, rows, samples, samples == limits.FirstRound());
     for (const std::size_t i : candidates)
         estimate.pixels[i].residualVarianceRatio = ratios[PlaneIndex(estimate, i)];
     return true;

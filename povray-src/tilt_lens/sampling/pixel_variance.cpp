@@ -28,7 +28,7 @@ double SquaredSum(const Radiance& light)
 }
 
 /// Weights of the surrounding pixels' excess variance: less than 1 beyond Settings::reliableSamples.
-std::vector<double> WeightsOf(const BlockEstimate& estimate, const std::vector<Radiance>& variancesAround)
+std::vector<double> WeightsOf(const BlockEstimate& estimate, const std::vector<Radiance>& variancesAround, const Rows& rows)
 {
     std::vector<double> weights(estimate.pixels.size(), 1.0);
     const auto isBeyond = [](const PixelEstimate& pixel) { return pixel.statistics.Samples() > Settings::reliableSamples; };
@@ -37,7 +37,7 @@ std::vector<double> WeightsOf(const BlockEstimate& estimate, const std::vector<R
     std::vector<Radiance> light;
     for (const PixelEstimate& pixel : estimate.pixels)
         light.push_back(pixel.statistics.Mean());
-    const auto around = WindowMeans<Settings::neighbourRadius>(light, estimate.area.width);
+    const auto around = WindowMeans<Settings::neighbourRadius>(light, estimate.area.width, rows);
     for (std::size_t i = 0; i < weights.size(); i++)
     {
         const double more = std::max(0.0, double(estimate.pixels[i].statistics.Samples()) - Settings::reliableSamples);
@@ -89,22 +89,23 @@ Radiance VarianceOfMean(const BlockEstimate& estimate, std::size_t pixel, const 
     return ofMean;
 }
 
-std::vector<double> VariancesToDecide(const BlockEstimate& estimate)
+std::vector<double> VariancesToDecide(const BlockEstimate& estimate, const Rows& rows)
 {
+    const std::size_t width = estimate.area.width;
     std::vector<double> variances(estimate.pixels.size());
     if (!estimate.HasNoise())
         return variances;
     std::vector<Radiance> own;
     for (const PixelEstimate& pixel : estimate.pixels)
         own.push_back(pixel.statistics.Variance());
-    const auto around = WindowMeans<Settings::neighbourRadius>(own, estimate.area.width);
-    const std::vector<double> weights = WeightsOf(estimate, around);
-    for (std::size_t i = 0; i < own.size(); i++)
+    const auto around = WindowMeans<Settings::neighbourRadius>(own, int(width), rows);
+    const std::vector<double> weights = WeightsOf(estimate, around, rows);
+    for (std::size_t i = rows.begin * width; i < rows.end * width; i++)
     {
         Radiance greater = own[i];
         for (std::size_t c = 0; c < greater.size(); c++)
             greater[c] += weights[i] * std::max(0.0, around[i][c] - own[i][c]);
-        variances[i] = LargestChannel(VarianceOfMean(estimate, i, greater));
+        variances[i] = DecisiveVariance(VarianceOfMean(estimate, i, greater));
     }
     return variances;
 }

@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "tilt_lens/math/rows.h"
 #include "tilt_lens/sampling/block_estimate.h"
 
 namespace tilt_lens
@@ -49,9 +50,10 @@ class CircleVariance
 /// @param variance  of one sample, by the pixel's own samples or those around
 Radiance VarianceOfMean(const BlockEstimate& estimate, std::size_t pixel, const Radiance& variance);
 
-/// Worst channel's variance of each pixel's mean, for the stop rule. One sample's variance is at least the 3 by 3 window's mean, since few
-/// samples are unreliable.
-std::vector<double> VariancesToDecide(const BlockEstimate& estimate);
+/// DecisiveVariance() of each pixel's mean, for the stop rule. One sample's variance is at least the 3 by 3 window's mean, since few samples
+/// are unreliable.
+/// @param rows  rows with results; all others are zero
+std::vector<double> VariancesToDecide(const BlockEstimate& estimate, const Rows& rows);
 
 /// Updates active pixels, with one ratio per quadrant.
 /// @param samples  of an active pixel

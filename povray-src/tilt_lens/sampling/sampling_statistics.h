@@ -16,7 +16,7 @@ namespace tilt_lens
 struct SamplingStatistics
 {
     std::map<std::uint32_t, std::uint64_t> pixelsBySamples;
-    double variance = 0.0;                                   ///< sum of the pixels' largest channels
+    double variance = 0.0;                                   ///< sum over the pixels, mean of the colours
     std::uint64_t notFinite = 0;
     std::uint64_t emitterSampled = 0;
     std::uint64_t reconstructed = 0;
