@@ -5,6 +5,7 @@
 The first samples of every pixel are recorded once for a scene, since a sample depends on its pixel and its number alone. Only rules of
 the emitter sampling change samples. The error is that against the mean of all recorded samples, of which a pixel gets at most a quarter."""
 
+import dataclasses
 import json
 import math
 import re
@@ -20,7 +21,10 @@ GALLERY = ROOT / "scenes" / "gallery"
 OF_BENCHMARK = ("checks", "foliage", "town", "glass", "lights", "shadows", "landscape")  # radiosity is no function of the pixel
 OF_GALLERY = tuple(path.stem for path in sorted(GALLERY.glob("*.pov")))
 WITH_LAMPS = ("lights", "city_lights")
-VARIANCES = (4e-3, 1e-3, 2.5e-4)
+VARIANCES, VARIANCES_OF_PARTS = (4e-3, 1e-3, 2.5e-4), (1e-3, 2e-4, 4e-5)
+# parts of large pictures have more even and more smoothly blurred surfaces
+LARGE, PART = (1280, 720), (64, 48)
+CORNERS = ((608, 336), (304, 504))
 LEAST_KEPT = 1e-3  # the recorded samples suffice for this variance
 TOO_FEW_SAMPLES = ("chess_at_night",)
 NEVER, ALWAYS = "1e30", "0"
@@ -32,7 +36,6 @@ RULES = (
     ("outlying variance ratios", 3, f"outlyingRatio={NEVER}"),
     ("search for hidden emitters", 4, "hiddenEmitterSamples=0"),
     ("greatest and least risk", 5, f"greatestRisk={NEVER}"),
-    ("limit of far risks", 5, f"riskLimit={NEVER}"),
     ("near risk in full", 5, f"chanceRisk={NEVER}"),
     ("chance in the near risk", 5, f"chanceRisk={ALWAYS}"),
     ("samples that serve other pixels", 5, "spreadWeight=0"),
@@ -40,8 +43,7 @@ RULES = (
     ("preference of the spread estimate", 5, "spreadWeight=1"),
     ("the same where pixels missed something", 5, "missedWeight=0"),
     ("rows without noise left alone", 5, f"leastRowVariance={ALWAYS}"),
-    ("forecast of the reconstruction", 6, f"forecastCost={NEVER}"),
-    ("forecast only where it may save its time", 6, f"forecastCost={ALWAYS}"),
+    ("forecast of the reconstruction", 6, "forecasts=0"),
 )
 EMITTER_RULES = (
     ("choice of the film point", 4, f"lensPointBlur={ALWAYS}"),
@@ -51,8 +53,34 @@ EMITTER_RULES = (
 )
 
 
-def size_and_samples(quick):
-    return ((64, 48), 256) if quick else ((96, 64), 1024)
+@dataclasses.dataclass(frozen=True)
+class Picture:
+    scene: str
+    size: tuple
+    samples: int
+    corner: tuple = None  # of a part of a large picture
+
+    @property
+    def name(self):
+        return self.scene if self.corner is None else f"{self.scene}, part"
+
+    def options(self):
+        if self.corner is None:
+            return []
+        (left, top), (width, height) = self.corner, self.size
+        return [f"+SC{left + 1}", f"+EC{left + width}", f"+SR{top + 1}", f"+ER{top + height}"]
+
+    @property
+    def variances(self):
+        return VARIANCES if self.corner is None else VARIANCES_OF_PARTS
+
+
+def pictures(quick):
+    size, samples = ((64, 48), 256) if quick else ((96, 64), 1024)
+    scenes = OF_BENCHMARK + OF_GALLERY
+    whole = [Picture(scene, size, samples) for scene in scenes]
+    corners = CORNERS[:1] if quick else CORNERS
+    return whole + [Picture(scene, PART, samples, corner) for corner in corners for scene in scenes]
 
 
 def build_tools(lab):
@@ -62,55 +90,50 @@ def build_tools(lab):
         raise Failed(f"the build of the ablation's tools failed:\n{done.stdout[-3000:]}")
 
 
-def recording(lab, scene, settings=""):
-    (width, height), samples = size_and_samples(lab.quick)
-    folder = SCENES if scene in OF_BENCHMARK else GALLERY
-    program = lab.tools / "record_samples"
-    key = digest(lab.hash_of(program), scene, (folder / f"{scene}.pov").read_bytes(), width, height, samples, settings)
-    path = lab.work / "recordings" / f"{scene}-{key}.samples"
+def recording(lab, picture, settings=""):
+    folder = SCENES if picture.scene in OF_BENCHMARK else GALLERY
+    scene, program = folder / f"{picture.scene}.pov", lab.tools / "record_samples"
+    key = digest(lab.hash_of(program), dataclasses.astuple(picture), scene.read_bytes(), settings)
+    path = lab.work / "recordings" / f"{picture.scene}-{key}.samples"
     if path.is_file():
         return path
-    lab.say(f"  samples of {scene} {settings}")
+    lab.say(f"  samples of {picture.name} {settings}")
     path.parent.mkdir(parents=True, exist_ok=True)
     declared = [f"Declare=Form={TILT_LENS}", "Declare=Variance=0.001"] if folder == SCENES else []
     with tempfile.TemporaryDirectory() as folder_of_picture:
         command = povray_run.command(
             program,
-            folder / f"{scene}.pov",
+            scene,
             f"{folder_of_picture}/picture.png",
-            (width, height),
+            LARGE if picture.corner else picture.size,
             "-C",
             "-GA",
             "+WT1",
             "+FN",
+            *picture.options(),
             *declared,
             library=[folder, povray_run.INCLUDE],
         )
         unfinished = path.with_suffix(".part")
-        record = {"TILT_LENS_RECORD": str(unfinished), "TILT_LENS_RECORD_SAMPLES": str(samples), "TILT_LENS_SETTINGS": settings}
+        record = {"TILT_LENS_RECORD": str(unfinished), "TILT_LENS_RECORD_SAMPLES": str(picture.samples), "TILT_LENS_SETTINGS": settings}
         povray_run.run(command, folder_of_picture, povray_run.environment(**record), limit=None).succeeded()
     unfinished.rename(path)
     return path
 
 
-def replay(lab, path, lines):
-    (width, height), samples = size_and_samples(lab.quick)
+def replay(lab, path, picture, lines):
+    command = [
+        lab.tools / "replay_samples",
+        path,
+        *picture.size,
+        picture.samples,
+        "--variances",
+        ",".join(map(str, picture.variances)),
+        "--denoise",
+        "1" if picture.corner else "0,1",
+    ]
     done = subprocess.run(
-        [
-            str(lab.tools / "replay_samples"),
-            path,
-            str(width),
-            str(height),
-            str(samples),
-            "--variances",
-            ",".join(map(str, VARIANCES)),
-            "--denoise",
-            "0,1",
-        ],
-        input="".join(line + "\n" for line in lines),
-        capture_output=True,
-        text=True,
-        check=False,
+        list(map(str, command)), input="".join(line + "\n" for line in lines), capture_output=True, text=True, check=False
     )
     if done.returncode != 0:
         raise Failed(f"replay_samples {path} ended with {done.returncode}:\n{done.stderr[-2000:]}")
@@ -153,44 +176,46 @@ def worst(found, name):
 
 def summary(rule, found):
     name, section, settings = rule
+    groups = ((False, False), (False, True), (True, True))
     return {
         "rule": name,
         "section": section,
         "settings": settings,
-        "means": [geometric_mean(row["ratio"] for row in found if row["denoise"] == on) for on in (False, True)],
+        "means": [geometric_mean(row["ratio"] for row in found if (row["part"], row["denoise"]) == group) for group in groups],
         **{figure: worst(found, figure) for figure in ("ratio", "error", "beyond")},
     }
 
 
+def replays(lab, picture):
+    """All rules that `picture` can tell something about."""
+    found = replay(lab, recording(lab, picture), picture, ["", *(settings for _, _, settings in RULES)])
+    if picture.scene in WITH_LAMPS and picture.corner is None:
+        for _, _, settings in EMITTER_RULES:
+            for (_, on), records in replay(lab, recording(lab, picture, settings), picture, [""]).items():
+                found[settings, on] = records
+    return found
+
+
+def row(picture, found, settings, on):
+    part = picture.corner is not None
+    error, beyond = (None, None) if part or picture.scene in TOO_FEW_SAMPLES else kept(found[settings, on])
+    work = ratio(found["", on], found[settings, on])
+    return {"scene": picture.name, "part": part, "denoise": on, "ratio": work, "error": error, "beyond": beyond}
+
+
 def measure(lab):
     build_tools(lab)
-    (width, height), samples = size_and_samples(lab.quick)
     rules = (("", 0, ""), *RULES, *EMITTER_RULES)
     rows = {rule: [] for rule in rules}
-    for scene in OF_BENCHMARK + OF_GALLERY:
-        found = replay(lab, recording(lab, scene), ["", *(settings for _, _, settings in RULES)])
-        if scene in WITH_LAMPS:
-            for _, _, settings in EMITTER_RULES:
-                for (_, on), records in replay(lab, recording(lab, scene, settings), [""]).items():
-                    found[settings, on] = records
+    for picture in pictures(lab.quick):
+        found = replays(lab, picture)
         for rule in rules:
-            settings = rule[2]
-            for on in (False, True):
-                if (settings, on) in found:
-                    error, beyond = (None, None) if scene in TOO_FEW_SAMPLES else kept(found[settings, on])
-                    rows[rule].append(
-                        {
-                            "scene": scene,
-                            "denoise": on,
-                            "ratio": ratio(found["", on], found[settings, on]),
-                            "error": error,
-                            "beyond": beyond,
-                        }
-                    )
-    return {"size": [width, height], "samples": samples, "rules": [summary(rule, rows[rule]) for rule in rules]}
+            rows[rule] += [row(picture, found, rule[2], on) for on in (False, True) if (rule[2], on) in found]
+    whole = pictures(lab.quick)[0]
+    return {"size": list(whole.size), "samples": whole.samples, "rules": [summary(rule, rows[rule]) for rule in rules]}
 
 
 def settings_of_header(text):
     body = text[text.index("struct Settings") :]
-    lines = re.findall(r"^ +(?:double|float|std::uint32_t) (.*);$", body, re.MULTILINE)
+    lines = re.findall(r"^ +(?:double|float|bool|std::uint32_t) (.*);$", body, re.MULTILINE)
     return [part.split(" = ")[0] for line in lines for part in line.split(", ")]

@@ -111,7 +111,7 @@ def section_ablation(found):
                 row["rule"] or "*(nothing)*",
                 f"{row['section'] or ''}",
                 f"`{row['settings']}`" if row["settings"] else "",
-                *[f"{mean:.2f}" for mean in row["means"]],
+                *["-" if mean is None else f"{mean:.2f}" for mean in row["means"]],
                 f"{ratio:.2f} {scene}" if row["settings"] else "",
                 f"{error:.1f} {scene_of_error}",
                 f"{100*beyond:.0f} % {scene_of_beyond}",
@@ -126,11 +126,13 @@ def section_ablation(found):
                 "settings",
                 "work, `denoise off`",
                 "work, `denoise on`",
+                "the same, parts of large pictures",
                 "worst scene",
                 "greatest MSE/V",
                 "most pixels beyond 2 sqrt(V)",
             ],
             cells,
         ),
-        f"Pictures of {width} by {height} with {found['samples']} recorded samples of each pixel.",
+        f"Pictures of {width} by {height}, and parts of 64 by 48 of pictures of 1280 by 720, with {found['samples']} recorded samples of each "
+        "pixel.",
     ]

@@ -36,22 +36,23 @@ class Ratios(unittest.TestCase):
 
 class Summary(unittest.TestCase):
     ROWS = [
-        {"scene": "town", "denoise": False, "ratio": 2.0, "error": 0.3, "beyond": 0.01},
-        {"scene": "town", "denoise": True, "ratio": 9.0, "error": 0.2, "beyond": 0.02},
-        {"scene": "night", "denoise": False, "ratio": 8.0, "error": None, "beyond": None},
-        {"scene": "night", "denoise": True, "ratio": 1.0, "error": None, "beyond": None},
+        {"scene": "town", "part": False, "denoise": False, "ratio": 2.0, "error": 0.3, "beyond": 0.01},
+        {"scene": "town", "part": False, "denoise": True, "ratio": 9.0, "error": 0.2, "beyond": 0.02},
+        {"scene": "night", "part": False, "denoise": False, "ratio": 8.0, "error": None, "beyond": None},
+        {"scene": "night", "part": False, "denoise": True, "ratio": 1.0, "error": None, "beyond": None},
+        {"scene": "town, part", "part": True, "denoise": True, "ratio": 5.0, "error": None, "beyond": None},
     ]
 
     def test_has_means_and_the_worst_scenes(self):
         made = ablation.summary(("a rule", 8, "number=0"), self.ROWS)
-        self.assertEqual([round(mean, 9) for mean in made["means"]], [4.0, 3.0])
+        self.assertEqual([round(mean, 9) for mean in made["means"]], [4.0, 3.0, 5.0])
         self.assertEqual((made["ratio"], made["error"], made["beyond"]), ((9.0, "town"), (0.3, "town"), (0.02, "town")))
 
     def test_is_a_line_of_the_page(self):
         made = {"size": [96, 64], "samples": 1024, "rules": [ablation.summary(("a rule", 8, "number=0"), self.ROWS)]}
         text = report.section("ablation", made)
-        self.assertIn("| a rule | 8 | `number=0` | 4.00 | 3.00 | 9.00 town | 0.3 town | 2 % town |", text)
-        self.assertIn("Pictures of 96 by 64 with 1024 recorded samples", text)
+        self.assertIn("| a rule | 8 | `number=0` | 4.00 | 3.00 | 5.00 | 9.00 town | 0.3 town | 2 % town |", text)
+        self.assertIn("Pictures of 96 by 64, and parts of 64 by 48", text)
 
 
 class Rules(unittest.TestCase):

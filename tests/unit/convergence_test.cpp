@@ -194,12 +194,17 @@ TEST(Forecast, PredictsWhatTheReconstructionLeavesOfEvenNoise)
     EXPECT_LT(block.estimate.pixels[100].residualVarianceRatio, 0.5);
 }
 
-TEST(Forecast, IsSkippedWhereItSavesTooFewRays)
+TEST(Forecast, IsSkippedWhereItSavesNoPixel)
 {
     Prepared block = DimNoise();
-    block.estimate.pixels[100].variance = 4e-4;
-    block.estimate.pixels[100].target = 3e-4;
+    PixelEstimate& pixel = block.estimate.pixels[100];
+    pixel.variance = 4e-4f;
+    pixel.target = 5e-4f;  // converged without it
     EXPECT_FALSE(UpdateForecast(block.estimate, {100}, block.around, block.limits, 8));
+    pixel.target = 0.9f * pixel.residualVarianceRatio * pixel.variance;  // active even with the least ratio
+    EXPECT_FALSE(UpdateForecast(block.estimate, {100}, block.around, block.limits, 8));
+    pixel.target = 1.1f * pixel.residualVarianceRatio * pixel.variance;
+    EXPECT_TRUE(UpdateForecast(block.estimate, {100}, block.around, block.limits, 8));
 }
 
 std::size_t ActiveAfterFirstRound(double variance, bool denoise, const Tracer& trace)

@@ -106,6 +106,27 @@ TEST(VarianceRatio, RatioOfMeanSolvesBothEquations)
             }
 }
 
+TEST(DecisiveVariance, CountsTheColoursHalfAndTheWorstHalf)
+{
+    EXPECT_DOUBLE_EQ(DecisiveVariance({0.3, 0.3, 0.3, 0.0, 0.0}), 0.3);
+    EXPECT_DOUBLE_EQ(DecisiveVariance({0.0, 0.6, 0.0, 0.0, 0.0}), 0.4);
+    EXPECT_DOUBLE_EQ(DecisiveVariance({0.0, 0.6, 0.0, 0.0, 0.5}), 0.5);
+}
+
+TEST(VariancesToDecide, AreThoseOfTheWantedRows)
+{
+    const auto noise = [](const SampleId& id, SampleResult& result)
+    { result = Radiance{Noise(id, 1), Noise(id, 2) * id.x / 32.0, 0.0, 0.0, 0.0}; };
+    const BlockEstimate estimate = FirstEstimate(kMiddle, 32, noise);
+    constexpr int side = Settings::blockSide;
+    const std::vector<double> all = VariancesToDecide(estimate, {0, side}), some = VariancesToDecide(estimate, {3, 7});
+    for (int i = 0; i < side * side; i++)
+    {
+        EXPECT_GT(all[i], 0.0) << i;
+        EXPECT_EQ(some[i], i >= 3 * side && i < 7 * side ? all[i] : 0.0) << i;
+    }
+}
+
 TEST(RatiosOrOutliers, AnOutlierKeepsItsOwn)
 {
     const auto split = [](const SampleId& id, SampleResult& result)

@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Kernels for AVX2 define no function that the linker might use elsewhere.
+"""Kernels for AVX2 define no function that the linker might use elsewhere, and load and store registers without a call.
 
 usage: test_kernel_symbols COMPILER NM OBJECTS OBJECTS, the kernels as built and without optimisation; empty: none."""
 
@@ -32,6 +32,13 @@ class KernelSymbols(unittest.TestCase):
             number, shared = shared_symbols(self.nm, objects)
             self.assertGreater(number, len(objects), "each file defines a kernel")
             self.assertEqual(shared, [], "mark these functions TILT_LENS_INLINED, or do without them")
+
+    def test_registers_are_loaded_without_a_call(self):
+        if not self.objects:
+            self.skipTest("this build has no kernels for AVX2, or has sanitizers")
+        command = [self.nm, "--undefined-only", "--format=just-symbols", *self.objects[0]]
+        needed = subprocess.run(command, capture_output=True, text=True, check=True).stdout.split()
+        self.assertNotIn("__memcpy_chk", needed, "Load() and Store() of math/simd.h are calls")
 
     def test_a_shared_function_is_found(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file rows.h
-/// Some rows of a block.
+/// Some rows of a rectangle of pixels.
 
 #ifndef TILT_LENS_ROWS_H
 #define TILT_LENS_ROWS_H
@@ -11,19 +11,17 @@
 #include <cstddef>
 #include <vector>
 
-#include "tilt_lens/settings.h"
-
 namespace tilt_lens
 {
 
 /// begin <= row < end
 struct Rows
 {
-    int begin = 0, end = int(Settings::blockSide);
+    int begin, end;
 
     bool IsEmpty() const { return begin >= end; }
     bool Has(int row) const { return row >= begin && row < end; }
-    /// @param height  of the block
+    /// @param height  of the rectangle
     Rows Grown(int margin, int height) const { return {std::max(0, begin - margin), std::min(height, end + margin)}; }
 
     /// The fewest that have all of these pixels.

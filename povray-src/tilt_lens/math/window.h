@@ -18,7 +18,7 @@ namespace tilt_lens
 /// @param values  row by row
 /// @param rows    rows with means; all others are zero
 template<int kRadius, class Value>
-std::vector<Value> WindowMeans(const std::vector<Value>& values, int width, const Rows& rows = Rows())
+std::vector<Value> WindowMeans(const std::vector<Value>& values, int width, const Rows& rows)
 {
     const auto meanOf = [](const Value* middle, int step, int place, int length)
     {
@@ -39,6 +39,13 @@ std::vector<Value> WindowMeans(const std::vector<Value>& values, int width, cons
         for (int x = 0; x < width; x++)
             means[y * width + x] = meanOf(&ofRows[y * width + x], width, y, height);
     return means;
+}
+
+/// In all rows.
+template<int kRadius, class Value>
+std::vector<Value> WindowMeans(const std::vector<Value>& values, int width)
+{
+    return WindowMeans<kRadius>(values, width, Rows{0, int(values.size()) / width});
 }
 
 } // namespace tilt_lens

@@ -67,7 +67,7 @@ ReconstructedBlock SpreadEstimates(const PaddedBlock& around, const Settings& se
 {
     const SpreadInput spreadInput = InputOf(spread);
     ReconstructedBlock block{};
-    kernels->estimateSpread(InputOf(around, settings, Rows(), &spreadInput), OutputTo(block));
+    kernels->estimateSpread(InputOf(around, settings, kAllRows, &spreadInput), OutputTo(block));
     return block;
 }
 

@@ -20,6 +20,8 @@
 namespace tilt_lens
 {
 
+inline constexpr Rows kAllRows{0, int(Settings::blockSide)};
+
 struct ReconstructedBlock
 {
     std::array<BlockPlane, 5> mean;
@@ -31,7 +33,7 @@ struct ReconstructedBlock
 
 /// @param rows  to reconstruct; others stay unchanged
 ReconstructedBlock Reconstruct(const PaddedBlock& around, const Settings& settings, const PaddedSpread* spread = nullptr,
-                               const Rows& rows = Rows());
+                               const Rows& rows = kAllRows);
 
 /// For pixels with one sample, whose noise is unknown.
 ReconstructedBlock SpreadEstimates(const PaddedBlock& around, const Settings& settings, const PaddedSpread& spread);
