@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 #include <vector>
 
@@ -12,6 +13,8 @@
 #include <gtest/gtest.h>
 
 #include "block_estimates.h"
+#include "tilt_lens/camera/aperture.h"
+#include "tilt_lens/reconstruction/spread.h"
 #include "tilt_lens/sampling/forecast.h"
 #include "tilt_lens/sampling/pixel_variance.h"
 
@@ -63,6 +66,37 @@ TEST(UpdateConvergence, EvenLightConvergesAtOnce)
     Prepared even(Limits(8, 1024, 1e-4), Constant);
     EXPECT_FALSE(even.Update(8));
     EXPECT_EQ(ActiveIn(even.estimate), 0u);
+}
+
+/// Black samples whose circles are wide: nearly all of a pixel's samples serve others.
+std::shared_ptr<const PaddedSpread> WideCircles()
+{
+    static const LensFootprint lens(Lens(), Aperture::Disc(), 3.0 * Settings::blockSide, 3.0 * Settings::blockSide);
+    SpreadSums sums(kMiddle, 3.0 * Settings::blockSide, 3.0 * Settings::blockSide);
+    for (int row = 0; row < int(Settings::blockSide); row++)
+        for (int column = 0; column < int(Settings::blockSide); column++)
+            sums.Add(column, row, {column + 0.5f, row + 0.5f, 6.0f, 0.0f, 0.0f, 6.0f, &lens}, Radiance{});
+    PaddedSpread::Sent sent{};
+    sent[4] = &sums;
+    return PaddedSpread::Of(sent);
+}
+
+TEST(UpdateConvergence, PixelsThatHaveStoppedDoNotKeepAnotherGoing)
+{
+    constexpr std::size_t x = 7, y = 9, side = Settings::blockSide;
+    for (const std::uint32_t samples : {8u, 64u})
+    {
+        Prepared quiet(Limits(8, 1024, 1e-4), Constant);
+        quiet.estimate.spread = WideCircles();
+        quiet.Update(8);
+        for (std::size_t row = y - 1; row <= y + 1; row++)
+            for (std::size_t column = x - 1; column <= x + 1; column++)
+                quiet.estimate.pixels[row * side + column].excess = 1.2f;
+        quiet.estimate.pixels[y * side + x].active = true;
+        TakeRound(quiet.estimate, samples, Constant);
+        quiet.Update(samples);
+        EXPECT_EQ(ActiveIn(quiet.estimate), samples == 8 ? 1u : 0u) << samples;
+    }
 }
 
 TEST(UpdateConvergence, NoiseStaysActiveUntilItsVarianceMeetsTheTarget)

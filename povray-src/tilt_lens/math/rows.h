@@ -14,11 +14,12 @@
 namespace tilt_lens
 {
 
-/// begin <= row < end
+/// Rows, or columns: begin <= row < end.
 struct Rows
 {
     int begin, end;
 
+    int Count() const { return end - begin; }
     bool IsEmpty() const { return begin >= end; }
     bool Has(int row) const { return row >= begin && row < end; }
     /// @param height  of the rectangle

@@ -10,7 +10,7 @@
 #include <boost/math/distributions/chi_squared.hpp>
 
 #include "tilt_lens/math/numbers.h"
-#include "tilt_lens/math/window.h"
+#include "tilt_lens/math/rows.h"
 #include "tilt_lens/sampling/forecast.h"
 #include "tilt_lens/sampling/pixel_variance.h"
 
@@ -20,23 +20,37 @@ namespace tilt_lens
 namespace
 {
 
+/// Mean excess of the 3 by 3 window within the block. Pixels that have stopped count as if they had taken as many samples as this one, which
+/// would otherwise go on in vain for them.
+double ExcessAround(const BlockEstimate& estimate, std::size_t pixel)
+{
+    constexpr int radius = Settings::neighbourRadius;
+    const int width = int(estimate.area.width), height = int(estimate.area.height), x = int(pixel) % width, y = int(pixel) / width;
+    const Rows rows = Rows{y, y + 1}.Grown(radius, height), columns = Rows{x, x + 1}.Grown(radius, width);
+    const double samples = estimate.pixels[pixel].statistics.Samples();
+    double sum = 0.0;
+    for (int row = rows.begin; row < rows.end; row++)
+        for (int column = columns.begin; column < columns.end; column++)
+        {
+            const PixelEstimate& other = estimate.pixels[row * width + column];
+            sum += other.excess * std::min(1.0, other.statistics.Samples() / samples);
+        }
+    return sum / (rows.Count() * columns.Count());
+}
+
 /// Pixels with wide circles of confusion decide with their neighbours: alone, one that missed a lamp by chance would stop dark, and one
 /// that hit it would dilute it.
 /// @param samples  taken by active pixels; those with fewer still catch up
 void DecideTogether(BlockEstimate& estimate, std::uint32_t samples)
 {
-    std::vector<double> excesses;
-    for (const PixelEstimate& pixel : estimate.pixels)
-        excesses.push_back(pixel.excess);
-    const std::vector<double> around = WindowMeans<Settings::neighbourRadius>(excesses, estimate.area.width);
-    for (std::size_t i = 0; i < excesses.size(); i++)
+    for (std::size_t i = 0; i < estimate.pixels.size(); i++)
     {
         PixelEstimate& pixel = estimate.pixels[i];
         if (pixel.active && pixel.statistics.Samples() < samples)
             continue;
         const bool searching = pixel.active && !HasSearchedEmitters(pixel.statistics, pixel.target, estimate.settings.hiddenEmitterSamples);
         // also true if infinite or NaN
-        pixel.active = searching || !(pixel.excess + estimate.SharedPart(i) * (around[i] - pixel.excess) <= 1.0);
+        pixel.active = searching || !(pixel.excess + estimate.SharedPart(i) * (ExcessAround(estimate, i) - pixel.excess) <= 1.0);
     }
 }
 
@@ -64,7 +78,7 @@ std::vector<std::size_t> Candidates(const BlockEstimate& estimate, std::uint32_t
     return candidates;
 }
 
-} // namespace
+}  // namespace
 
 double ConfidenceFactor(std::uint32_t samples, double confidence)
 {
@@ -136,4 +150,4 @@ std::uint32_t ActivateWhereMissed(BlockEstimate& estimate, const PaddedSpread& r
     return fewest;
 }
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
