@@ -40,14 +40,14 @@ struct FilterPair
     int slant = 0;  ///< column step per row of `down`: 0, or 1 or -1 along a diagonal
 };
 
-/// Diagonals have the filters of rows and columns, so that remaining noise has no preferred direction.
+/// Diagonals have the filters of rows and columns, and products have equal factors, so that remaining noise has no preferred direction.
 // clang-format off
 constexpr FilterPair kBank[] = {
     {kNone, kNone},
     {kFit5, kNone}, {kNone, kFit5}, {kNone, kFit5, 1}, {kNone, kFit5, -1},
     {kFit9, kNone}, {kNone, kFit9}, {kNone, kFit9, 1}, {kNone, kFit9, -1},
     {kMean9, kNone}, {kNone, kMean9}, {kNone, kMean9, 1}, {kNone, kMean9, -1},
-    {kFit5, kFit5}, {kFit9, kFit9}, {kMean9, kMean9}, {kMean9, kFit5}, {kFit5, kMean9},
+    {kFit5, kFit5}, {kFit9, kFit9}, {kMean9, kMean9},
 };
 // clang-format on
 
