@@ -98,8 +98,7 @@ struct Settings
 
     /// @name Reconstruction (section 5)
     /// @{
-    /// Multiple of the unfiltered pixels' risk from which a filter has no weight, and by which a single pixel outside the 3 by 3 window counts
-    /// at most; risks below the inverse are chance.
+    /// Risk over noise from which a filter has no weight. A pixel outside the 3 by 3 window counts at most with it. Its inverse is the least.
     float greatestRisk = 16.0f;
     /// Risk over noise of a 3 by 3 window that chance can explain.
     float chanceRisk = 2.0f;

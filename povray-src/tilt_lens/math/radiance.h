@@ -80,8 +80,8 @@ inline double LargestChannel(const Radiance& value)
     return largest;
 }
 
-/// By what a pixel's samples are counted: error is measured over the colours, but seen in the worst. So half of each; transparency counts
-/// alone.
+/// The stop rule decides by it: half is the mean of the colours, over which errors are measured, half the worst colour, in which they are
+/// seen. Transparency counts alone.
 /// @param variance  without negative channels
 inline double DecisiveVariance(const Radiance& variance)
 {
