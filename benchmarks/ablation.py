@@ -65,10 +65,7 @@ class Picture:
         return self.scene if self.corner is None else f"{self.scene}, part"
 
     def options(self):
-        if self.corner is None:
-            return []
-        (left, top), (width, height) = self.corner, self.size
-        return [f"+SC{left + 1}", f"+EC{left + width}", f"+SR{top + 1}", f"+ER{top + height}"]
+        return [] if self.corner is None else povray_run.part(*self.corner, *self.size)
 
     @property
     def variances(self):
@@ -207,11 +204,12 @@ def measure(lab):
     build_tools(lab)
     rules = (("", 0, ""), *RULES, *EMITTER_RULES)
     rows = {rule: [] for rule in rules}
-    for picture in pictures(lab.quick):
+    measured = pictures(lab.quick)
+    for picture in measured:
         found = replays(lab, picture)
         for rule in rules:
             rows[rule] += [row(picture, found, rule[2], on) for on in (False, True) if (rule[2], on) in found]
-    whole = pictures(lab.quick)[0]
+    whole = measured[0]
     return {"size": list(whole.size), "samples": whole.samples, "rules": [summary(rule, rows[rule]) for rule in rules]}
 
 

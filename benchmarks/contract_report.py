@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Tables of the contract on error, and of the ablation."""
 
+from benchmarks import ablation
 from benchmarks.tables import TITLES, Goal, table
 
 
@@ -118,6 +119,7 @@ def section_ablation(found):
             ]
         )
     width, height = found["size"]
+    part, large = (f"{columns} by {rows}" for columns, rows in (ablation.PART, ablation.LARGE))
     return [
         table(
             [
@@ -133,6 +135,5 @@ def section_ablation(found):
             ],
             cells,
         ),
-        f"Pictures of {width} by {height}, and parts of 64 by 48 of pictures of 1280 by 720, with {found['samples']} recorded samples of each "
-        "pixel.",
+        f"Pictures of {width} by {height}, and parts of {part} of pictures of {large}, with {found['samples']} recorded samples of each pixel.",
     ]

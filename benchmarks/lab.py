@@ -63,7 +63,7 @@ class Shot:
         (width, height), part = self.size, self.part
         settings, options = (("Form", self.form), ("Tilted", self.tilted), *self.declare), self.options
         if part and self.form == STOCK:
-            options = (f"+SC{part.left + 1}", f"+EC{part.left + width}", f"+SR{part.top + 1}", f"+ER{part.top + height}", *options)
+            options = (*povray_run.part(part.left, part.top, width, height), *options)
             width, height = part.columns, part.rows
         elif part:
             settings += (("Columns", part.columns), ("Rows", part.rows), ("Left", part.left), ("Top", part.top))
@@ -89,7 +89,7 @@ class Shot:
             self,
             size=(width + 2 * border, height + 2 * border),
             declare=(*self.declare, ("Batch", border)),
-            options=(*self.options, f"+SC{border + 1}", f"+EC{border + width}", f"+SR{border + 1}", f"+ER{border + height}"),
+            options=(*self.options, *povray_run.part(border, border, width, height)),
         )
 
     def sources(self):

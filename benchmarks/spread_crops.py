@@ -27,16 +27,12 @@ SCALE = 3
 
 
 def record(tools, scene, corner, path):
-    (left, top), (width, height) = corner, SIZE
     command = povray_run.command(
         tools / "record_samples",
         GALLERY / f"{scene}.pov",
         path.with_suffix(".png"),
         PICTURE,
-        f"+SC{left + 1}",
-        f"+EC{left + width}",
-        f"+SR{top + 1}",
-        f"+ER{top + height}",
+        *povray_run.part(*corner, *SIZE),
         "-C",
         "-GA",
         "+WT1",

@@ -61,6 +61,11 @@ def command(program, scene, picture, size, *options, library=(), before=()):
     ]
 
 
+def part(left, top, width, height):
+    """Options for these columns and rows of the picture, counted from 0."""
+    return [f"+SC{left + 1}", f"+EC{left + width}", f"+SR{top + 1}", f"+ER{top + height}"]
+
+
 def user_environment(without=USER_SETTINGS, **variables):
     return {**{name: value for name, value in os.environ.items() if name not in without}, **variables}
 

@@ -8,7 +8,6 @@ from tests.render import rendering
 from tests.tools import error_direction
 
 MOST = 1.2  # power of noise in one direction over that in another
-PAIRS = {"highlights": 4}  # of pictures: where few pixels have noise, the figure of one pair is off by up to 0.03
 
 LIGHTS = "light_source { <-20, 30, -20> rgb 1.1 area_light 4*x, 4*z, 5, 5 adaptive 1 jitter }\nlight_source { <6, 4, -6> rgb 0.3 }\n"
 
@@ -99,14 +98,11 @@ class Texture(rendering.RenderTest):
         for name, (place, samples, items, world, *size) in CASES.items():
             width, height = size[0] if size else SIZE
             with self.subTest(name):
-                power = 0
-                for seed in range(1, 2 * PAIRS.get(name, 1), 2):
-                    first, second = (
-                        rendering.render(camera(place, samples, items, one) + world, width=width, height=height) for one in (seed, seed + 1)
-                    )
-                    self.assertGreater(rendering.difference(first, second)[0], 1e-4, f"{name}: no noise to measure\n{first.told}")
-                    power = power + error_direction.spectrum(error_direction.values_of(first) - error_direction.values_of(second))
-                axes, blocks = error_direction.axes_over_diagonals(power), error_direction.blocks_over_surroundings(power)
+                first, second = (
+                    rendering.render(camera(place, samples, items, seed) + world, width=width, height=height) for seed in (1, 2)
+                )
+                self.assertGreater(rendering.difference(first, second)[0], 1e-4, f"{name}: no noise to measure\n{first.told}")
+                axes, blocks = error_direction.figures(first, second)
                 self.assertLess(
                     max(axes, 1 / axes), MOST, f"{name}: power of noise along rows and columns over diagonals {axes:.2f}\n{first.told}"
                 )

@@ -80,15 +80,6 @@ inline double LargestChannel(const Radiance& value)
     return largest;
 }
 
-/// The stop rule decides by it: half is the mean of the colours, over which errors are measured, half the worst colour, in which they are
-/// seen. Transparency counts alone.
-/// @param variance  without negative channels
-inline double DecisiveVariance(const Radiance& variance)
-{
-    const double worst = std::max({variance[0], variance[1], variance[2]});
-    return std::max({0.5 * (MeanColour(variance) + worst), variance[3], variance[4]});
-}
-
 /// Divisor that makes a variance relative: 1 up to white, the squared mean above, as eyes see errors.
 inline double SquaredScale(double mean)
 {

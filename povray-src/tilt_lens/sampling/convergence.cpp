@@ -49,8 +49,9 @@ void DecideTogether(BlockEstimate& estimate, std::uint32_t samples)
         if (pixel.active && pixel.statistics.Samples() < samples)
             continue;
         const bool searching = pixel.active && !HasSearchedEmitters(pixel.statistics, pixel.target, estimate.settings.hiddenEmitterSamples);
+        const double own = pixel.excess, shared = estimate.SharedPart(i);
         // also true if infinite or NaN
-        pixel.active = searching || !(pixel.excess + estimate.SharedPart(i) * (ExcessAround(estimate, i) - pixel.excess) <= 1.0);
+        pixel.active = searching || !((shared > 0.0 ? own + shared * (ExcessAround(estimate, i) - own) : own) <= 1.0);
     }
 }
 

@@ -89,6 +89,12 @@ Radiance VarianceOfMean(const BlockEstimate& estimate, std::size_t pixel, const 
     return ofMean;
 }
 
+double DecisiveVariance(const Radiance& variance)
+{
+    const double worst = std::max({variance[0], variance[1], variance[2]});
+    return std::max({0.5 * (MeanColour(variance) + worst), variance[3], variance[4]});
+}
+
 std::vector<double> VariancesToDecide(const BlockEstimate& estimate, const Rows& rows)
 {
     const std::size_t width = estimate.area.width;

@@ -50,6 +50,11 @@ class CircleVariance
 /// @param variance  of one sample, by the pixel's own samples or those around
 Radiance VarianceOfMean(const BlockEstimate& estimate, std::size_t pixel, const Radiance& variance);
 
+/// The stop rule decides by it: half is the mean of the colours, over which errors are measured, half the worst colour, in which they are
+/// seen. Transparency counts alone.
+/// @param variance  without negative channels
+double DecisiveVariance(const Radiance& variance);
+
 /// DecisiveVariance() of each pixel's mean, for the stop rule. One sample's variance is at least the 3 by 3 window's mean, since few samples
 /// are unreliable.
 /// @param rows  rows with results; all others are zero
