@@ -7,6 +7,22 @@ import os
 from tests.focus import harness
 from tests.focus.harness import SCENE, PageTest
 
+# Previews arrive as late as the test wants; answers about the file at once.
+LATE_PREVIEWS = """
+    window.late = null;
+    WebSocket = class extends WebSocket {
+        set onmessage(take) {
+            super.onmessage = event => {
+                const message = typeof event.data === "string" ? JSON.parse(event.data) : {};
+                if (late && message.type !== "file")
+                    late.push({ message, deliver: () => take(event) });
+                else
+                    take(event);
+            };
+        }
+    };
+"""
+
 
 class Changes(PageTest):
     def test_error_has_its_line_and_disappears_when_mended(self):
@@ -63,6 +79,21 @@ class Changes(PageTest):
         self.press("#undo")
         self.until("the refusal", lambda: "somebody else" in self.text("file-said"))
         self.assertTrue(scene.read_text().endswith("// mine\n"))
+
+    def test_writing_and_undoing_faster_than_previews_keeps_the_lens(self):
+        made = self.browser.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": LATE_PREVIEWS})
+        self.addCleanup(self.browser.execute_cdp_cmd, "Page.removeScriptToEvaluateOnNewDocument", made)
+        self.open(self.scene())
+        self.set_number("tilt", 5)
+        self.run("window.late = []")
+        scenes = "return late.filter(({ message }) => message.type === 'scene').length"
+        for number, (button, said) in enumerate((("write", "Written"), ("undo", "is as it was"))):
+            self.press(f"#{button}")
+            self.until("the change", lambda said=said: said in self.text("file-said"))
+            self.until("its scene", lambda number=number: self.run(scenes) > number)
+        self.run("const held = late; late = null; held.forEach(({ deliver }) => deliver())")
+        self.until("the preview", self.drawn)
+        self.assertAlmostEqual(self.run("return focusPage.model.numbers().tilt"), 5)
 
     def test_removed_camera_disappears(self):
         second = "camera { location <6, 2, -6> look_at <0, 0.5, 0> right x*image_width/image_height angle 50 }\n"

@@ -83,7 +83,7 @@ class Editor:
         kept = self.session.file.replace(before, after)
         self.added, self.index = added, view.record.index_in_use() if view.chosen is None else view.chosen
         self.choose(added)
-        return {"state": "written", "kept": kept}
+        return {"state": "written", "kept": kept, "stamp": scene_file.stamp(self.session.file.path)}
 
     async def pulled(self, request, view):
         session = self.session
@@ -102,7 +102,7 @@ class Editor:
         self.session.file.undo()
         self.choose(-self.added)
         self.added = -self.added
-        return {"state": "undone"}
+        return {"state": "undone", "stamp": scene_file.stamp(self.session.file.path)}
 
     def choose(self, added):
         """Cameras may be added or removed before the chosen one."""

@@ -65,15 +65,17 @@ def real_lenses():
 
 
 async def serve_until_ended(settings, folder):
-    """Signals are held back before and after, so that nothing is left behind."""
-    ended = asyncio.Event()
+    ended, loop = asyncio.Event(), asyncio.get_running_loop()
+
+    def end(*_):
+        if not loop.is_closed():
+            loop.call_soon_threadsafe(ended.set)
+
+    # add_signal_handler() would bring the deadly default back when the loop is closed
     for number in ENDING:
-        asyncio.get_running_loop().add_signal_handler(number, ended.set)
+        signal.signal(number, end)
     signal.pthread_sigmask(signal.SIG_UNBLOCK, ENDING)
-    try:
-        return await serve(settings, folder, ended)
-    finally:
-        signal.pthread_sigmask(signal.SIG_BLOCK, ENDING)
+    return await serve(settings, folder, ended)
 
 
 async def serve(settings, folder, ended):
@@ -118,6 +120,7 @@ def main(words):
     settings.options = Options(options)
     settings.program = os.path.abspath(settings.povray)
     settings.lenses = real_lenses()
+    # until the folder has an end to remove it
     signal.pthread_sigmask(signal.SIG_BLOCK, ENDING)
     try:
         with temporary.folder() as folder:
@@ -125,6 +128,9 @@ def main(words):
     except OSError as error:
         print(f"focus: {error.filename or 'the folder for pictures'}: {os.strerror(error.errno)}", file=sys.stderr)
         return 1
+    finally:
+        for number in ENDING:
+            signal.signal(number, signal.SIG_IGN)
 
 
 if __name__ == "__main__":

@@ -60,11 +60,12 @@ def differences(camera, expected):
 
 
 def stamp(path):
+    """Differs after each change. None without a file."""
     try:
         info = os.stat(path)
     except OSError:
         return None
-    return info.st_mtime_ns, info.st_size, info.st_ino
+    return f"{info.st_mtime_ns} {info.st_size} {info.st_ino}"
 
 
 class SceneFile:

@@ -85,14 +85,14 @@ class Preview:
             self.begin()
         render = Render(session.settings.program, session.folder, name, background=refining)
         render.file_list = session.folder / f"{name}.files"
-        stamp, fitting = scene_file.stamp(session.file.path), None
+        stamp, fitting, outdated = scene_file.stamp(session.file.path), None, False
 
         async def on_camera(found):
-            nonlocal fitting
+            nonlocal fitting, outdated
             if refining or frame is not None:
                 return
-            fitting = self.fitting_size(found["view"])
-            if fitting:
+            fitting, outdated = self.fitting_size(found["view"]), scene_file.stamp(session.file.path) != stamp
+            if fitting or outdated:
                 await render.stop()
                 return
             self.take_record(Record(found, session.file, stamp))
@@ -103,14 +103,14 @@ class Preview:
         words = render.words(scene, [*session.options(self.clock), "-A", *more, "+N"], self.size)
         try:
             await render.run(words, True, on_tile, on_camera)
-            if not refining and not fitting:
+            if not (refining or fitting or outdated):
                 self.files = session.file.files_read(render.file_list, session.folder)
                 session.watch_files()
         finally:
             for path in (render.picture, render.picture.with_suffix(".layers.exr"), render.file_list):
                 path.unlink(missing_ok=True)
-        if fitting:
-            self.size = fitting
+        if fitting or outdated:
+            self.size = fitting or self.size
             await self.pass_over(more)
 
     def begin(self):
@@ -127,6 +127,7 @@ class Preview:
         self.tell(
             "scene",
             name=os.path.basename(session.settings.scene),
+            stamp=record.stamp,
             cameras=[{**camera, "own": record.is_own(camera), "kept": record.kept(camera)} for camera in record.cameras],
             view=record.view,
             used=record.index_in_use(),

@@ -30,7 +30,7 @@ let startedFor = null;   // signature of the camera that the model started with
 let startedFrom = null;  // place and direction of that camera
 let ownClock = false;    // the next scene is of a clock that this page has set
 let chosen = null;       // index of the chosen camera; null: the scene's own
-let ownChange = false;   // the next camera of the scene is one that this page has written
+const ownStamps = new Set(); // of the scene's file as written for the pages; their scenes are still to come
 let changedFiles = "";   // files whose change led to this preview
 let kept = readAddress(); // value in the address, until the first scene
 
@@ -110,7 +110,7 @@ function takeScene(message) {
     blur.gamma = message.gamma === null || message.gamma === "sRGB" ? 0 : message.gamma;
     knobs ??= buildKnobs(find("knobs"), model, message.lenses, () => model.remember());
     // the same camera, changed elsewhere: the lens stays
-    takeView(view);
+    takeView(view, ownStamps.delete(message.stamp));
     if (index !== null)
         askForCamera();
     if (!view.perspective)
@@ -140,16 +140,16 @@ function signatureOf(view) {
     return JSON.stringify(camera);
 }
 
-/// Unless the page shows it or has just written it.
-function takeView(view) {
+/// Unless the page shows or has written it.
+function takeView(view, written = false) {
     const signature = signatureOf(view);
     const { location, direction, right, up } = view, from = JSON.stringify([location, unit(direction), right, up]);
-    const seen = startedFor === signature, written = ownChange;
+    const seen = startedFor === signature;
     // between the marks of a focus pull, names the shown lens
     const pulled = ownClock && film.keys.length > 1 && startedFrom === from;
     startedFor = signature;
     startedFrom = from;
-    ownChange = ownClock = false;
+    ownClock = false;
     if (seen || written || pulled) {
         kept = null;
         model.note(view);
@@ -211,7 +211,7 @@ function takeFileState(message) {
         film.take(message);
     if (!text.take(message) || message.again)
         return;
-    ownChange = true;
+    ownStamps.add(message.stamp);
     chosen = message.chosen;
 }
 
