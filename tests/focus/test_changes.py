@@ -2,10 +2,17 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Changing scenes, and a broken connection."""
 
+import argparse
+import asyncio
+import itertools
 import os
+from unittest import mock
 
 from tests.focus import harness
-from tests.focus.harness import SCENE, PageTest
+from tests.focus.harness import SCENE, FocusTest, PageTest
+from tools.focus.options import Options
+from tools.focus.scene_file import SceneFile
+from tools.focus.session import Session
 
 # Previews arrive as late as the test wants; answers about the file at once.
 LATE_PREVIEWS = """
@@ -25,6 +32,10 @@ LATE_PREVIEWS = """
 
 
 class Changes(PageTest):
+    def run_before_pages(self, script):
+        made = self.browser.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": script})
+        self.addCleanup(self.browser.execute_cdp_cmd, "Page.removeScriptToEvaluateOnNewDocument", made)
+
     def test_error_has_its_line_and_disappears_when_mended(self):
         scene = self.scene(SCENE.replace("angle 45", "angle forty"))
         self.browser.get(self.start(scene, *harness.SMALL))
@@ -81,8 +92,7 @@ class Changes(PageTest):
         self.assertTrue(scene.read_text().endswith("// mine\n"))
 
     def test_writing_and_undoing_faster_than_previews_keeps_the_lens(self):
-        made = self.browser.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": LATE_PREVIEWS})
-        self.addCleanup(self.browser.execute_cdp_cmd, "Page.removeScriptToEvaluateOnNewDocument", made)
+        self.run_before_pages(LATE_PREVIEWS)
         self.open(self.scene())
         self.set_number("tilt", 5)
         self.run("window.late = []")
@@ -117,8 +127,7 @@ class Changes(PageTest):
                 }
             };
         """
-        made = self.browser.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": watch})
-        self.addCleanup(self.browser.execute_cdp_cmd, "Page.removeScriptToEvaluateOnNewDocument", made)
+        self.run_before_pages(watch)
         self.open(self.scene(SCENE.replace("location <0,", "location <clock,")))
         self.choose("clock", 0.5)
         self.until("the other place", lambda: self.drawn() and self.run("return focusPage.model.camera.location[0]") == 0.5)
@@ -140,6 +149,24 @@ class Changes(PageTest):
         self.end()
         self.until("the message", lambda: "has ended" in self.message())
         os.stat(self.folder)
+
+
+class ChangedBeforeItIsRead(FocusTest):
+    def test_the_preview_starts_anew(self):
+        options = Options([*harness.SMALL])
+        settings = argparse.Namespace(scene=str(self.scene()), program=harness.SETTINGS.povray, options=options, lenses={})
+        messages = []
+
+        async def show():
+            session = Session(settings, self.folder / "tmp")
+            session.connect(messages.append)
+            await session.previews[0].task
+
+        with mock.patch.object(SceneFile, "stamp", side_effect=itertools.chain(["before"], itertools.repeat("after"))):
+            asyncio.run(show())
+        told = [message for message in messages if isinstance(message, dict)]
+        self.assertEqual([message["stamp"] for message in told if message["type"] == "scene"], ["after"])
+        self.assertEqual(told[-1]["type"], "refined")
 
 
 if __name__ == "__main__":

@@ -83,7 +83,7 @@ class Editor:
         kept = self.session.file.replace(before, after)
         self.added, self.index = added, view.record.index_in_use() if view.chosen is None else view.chosen
         self.choose(added)
-        return {"state": "written", "kept": kept, "stamp": scene_file.stamp(self.session.file.path)}
+        return {"state": "written", "kept": kept, "stamp": self.session.file.stamp()}
 
     async def pulled(self, request, view):
         session = self.session
@@ -102,7 +102,7 @@ class Editor:
         self.session.file.undo()
         self.choose(-self.added)
         self.added = -self.added
-        return {"state": "undone", "stamp": scene_file.stamp(self.session.file.path)}
+        return {"state": "undone", "stamp": self.session.file.stamp()}
 
     def choose(self, added):
         """Cameras may be added or removed before the chosen one."""
@@ -125,7 +125,7 @@ class Editor:
     async def camera_to_change(self, view):
         """@throws EditError it cannot be changed"""
         session = self.session
-        stamp = scene_file.stamp(session.file.path)
+        stamp = session.file.stamp()
         if view.record.stamp != stamp:
             view.take(Record(await self.look_at(view, session.settings.scene, "renewed"), session.file, stamp), view.size)
         record, index = view.record, view.chosen

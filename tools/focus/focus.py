@@ -71,7 +71,7 @@ async def serve_until_ended(settings, folder):
         if not loop.is_closed():
             loop.call_soon_threadsafe(ended.set)
 
-    # add_signal_handler() would bring the deadly default back when the loop is closed
+    # handlers of add_signal_handler() go when the loop closes: the next signal would kill the program before its folder is removed
     for number in ENDING:
         signal.signal(number, end)
     signal.pthread_sigmask(signal.SIG_UNBLOCK, ENDING)
@@ -120,7 +120,7 @@ def main(words):
     settings.options = Options(options)
     settings.program = os.path.abspath(settings.povray)
     settings.lenses = real_lenses()
-    # until the folder has an end to remove it
+    # an earlier signal would leave the folder behind
     signal.pthread_sigmask(signal.SIG_BLOCK, ENDING)
     try:
         with temporary.folder() as folder:

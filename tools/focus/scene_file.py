@@ -75,6 +75,9 @@ class SceneFile:
         self.kept = None  # backup of the last change
         self.written = None  # contents of the last change
 
+    def stamp(self):
+        return stamp(self.path)
+
     def bytes(self):
         return replacing.contents(self.path)
 
@@ -133,7 +136,7 @@ class SceneFile:
     @staticmethod
     def files_read(file_list, own):
         try:
-            entries = open(file_list, "rb").read().split(b"\0")
+            entries = file_list.read_bytes().split(b"\0")
         except OSError:
             return set()
         names = {os.path.realpath(os.fsdecode(entry[1:])) for entry in entries if entry.startswith(b"+")}

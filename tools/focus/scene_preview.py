@@ -8,7 +8,7 @@ import time
 
 import numpy
 
-from tools.focus import scene_file, wrapper
+from tools.focus import wrapper
 from tools.focus.record import Record
 from tools.focus.render import Render
 from tools.focus.tiles import PREVIEW, packed
@@ -85,14 +85,15 @@ class Preview:
             self.begin()
         render = Render(session.settings.program, session.folder, name, background=refining)
         render.file_list = session.folder / f"{name}.files"
-        stamp, fitting, outdated = scene_file.stamp(session.file.path), None, False
+        stamp, again = session.file.stamp(), None  # again: the size, if the pass must be repeated
 
         async def on_camera(found):
-            nonlocal fitting, outdated
+            nonlocal again
             if refining or frame is not None:
                 return
-            fitting, outdated = self.fitting_size(found["view"]), scene_file.stamp(session.file.path) != stamp
-            if fitting or outdated:
+            changed = session.file.stamp() != stamp
+            again = self.fitting_size(found["view"]) or (self.size if changed else None)
+            if again:
                 await render.stop()
                 return
             self.take_record(Record(found, session.file, stamp))
@@ -103,14 +104,14 @@ class Preview:
         words = render.words(scene, [*session.options(self.clock), "-A", *more, "+N"], self.size)
         try:
             await render.run(words, True, on_tile, on_camera)
-            if not (refining or fitting or outdated):
+            if not refining and not again:
                 self.files = session.file.files_read(render.file_list, session.folder)
                 session.watch_files()
         finally:
             for path in (render.picture, render.picture.with_suffix(".layers.exr"), render.file_list):
                 path.unlink(missing_ok=True)
-        if fitting or outdated:
-            self.size = fitting or self.size
+        if again:
+            self.size = again
             await self.pass_over(more)
 
     def begin(self):

@@ -30,7 +30,7 @@ let startedFor = null;   // signature of the camera that the model started with
 let startedFrom = null;  // place and direction of that camera
 let ownClock = false;    // the next scene is of a clock that this page has set
 let chosen = null;       // index of the chosen camera; null: the scene's own
-const ownStamps = new Set(); // of the scene's file as written for the pages; their scenes are still to come
+const ownStamps = new Set(); // stamps of the file after changes by a page, until the scene of each arrives
 let changedFiles = "";   // files whose change led to this preview
 let kept = readAddress(); // value in the address, until the first scene
 
@@ -140,7 +140,7 @@ function signatureOf(view) {
     return JSON.stringify(camera);
 }
 
-/// Unless the page shows or has written it.
+/// Unless the page shows it or has written it.
 function takeView(view, written = false) {
     const signature = signatureOf(view);
     const { location, direction, right, up } = view, from = JSON.stringify([location, unit(direction), right, up]);
