@@ -31,9 +31,8 @@ NEVER, ALWAYS = "1e30", "0"
 
 # rule, section of docs/sampling.md, settings without it
 RULES = (
-    ("rounds that end half-way between powers of two", 1, f"doubledSamples={2**31}"),
+    ("rounds that end half-way between powers of two", 1, "halfRounds=0"),
     ("prior of the variance ratio", 3, f"varianceRatioPrior={ALWAYS}"),
-    ("outlying variance ratios", 3, f"outlyingRatio={NEVER}"),
     ("search for hidden emitters", 4, "hiddenEmitterSamples=0"),
     ("greatest and least risk", 5, f"greatestRisk={NEVER}"),
     ("near risk in full", 5, f"chanceRisk={NEVER}"),
@@ -42,7 +41,6 @@ RULES = (
     ("more than four samples of a pixel that serve others", 5, "mostSentSamples=4"),
     ("preference of the spread estimate", 5, "spreadWeight=1"),
     ("the same where pixels missed something", 5, "missedWeight=0"),
-    ("rows without noise left alone", 5, f"leastRowVariance={ALWAYS}"),
     ("forecast of the reconstruction", 6, "forecasts=0"),
 )
 EMITTER_RULES = (

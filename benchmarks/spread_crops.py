@@ -22,7 +22,7 @@ SIZE = (144, 80)  # whole blocks
 RECORDED = 256  # of each pixel; their mean is the last column
 CROPS = {"miniature_town": (160, 560), "chess_by_swing": (896, 416)}  # upper left corners, whole blocks
 RAYS = (2, 4)  # a pixel, of the rows
-COLUMNS = ("spreadWeight=0,leastRowVariance=0", "leastRowVariance=0")  # without and with
+COLUMNS = ("spreadWeight=0", "")  # without and with
 SCALE = 3
 
 

@@ -44,8 +44,8 @@ struct Settings
     /// @{
     /// Default of MIN (section 1), with and without reconstruction and emitter sampling.
     static constexpr std::uint32_t firstSamples = 4, firstSamplesAlone = 8;
-    /// Rounds up to this number of samples double them (section 1).
-    std::uint32_t doubledSamples = 8;
+    /// Rounds end half-way between powers of two as well (section 1). Off in measurements alone.
+    bool halfRounds = true;
     /// @}
 
     /// @name Steps and limits of computing
@@ -67,7 +67,7 @@ struct Settings
     /// Weight of the previous round's variance ratio, in equally noisy pixels.
     double varianceRatioPrior = 16.0;
     /// A pixel keeps its own variance ratio if it exceeds its quadrant's by this factor.
-    double outlyingRatio = 4.0;
+    static constexpr double outlyingRatio = 4.0;
     /// @}
 
     /// @name Emitter sampling (section 4)
@@ -106,8 +106,6 @@ struct Settings
     float spreadWeight = 8.0f;
     /// Additional factor of this weight if only other pixels' samples show the noise.
     float missedWeight = 100.0f;
-    /// Least mean variance over `variance` of a reconstructed row.
-    double leastRowVariance = 1.0 / 32.0;
     /// The stop rule counts on the reconstruction (section 6). Off in measurements alone.
     bool forecasts = true;
     /// @}

@@ -183,7 +183,7 @@ void Block::SetResults(const BlockEstimate& last, const SamplingLimits& limits, 
 void Block::ReconstructResults(const Neighbours& neighbours, const SamplingLimits& limits, const BlockStatistics* own,
                                const PaddedSpread* received)
 {
-    const Rows rows = NoisyRows(limits);
+    const Rows rows = limits.max == 1 ? Rows{0, int(area.height)} : NoisyRows();  // one sample shows no noise
     if (rows.IsEmpty() || (limits.max == 1 && received == nullptr))
         return;
     std::array<const BlockStatistics*, 9> known = EachOf<BlockStatistics>(neighbours, &Block::statistics);
@@ -205,20 +205,13 @@ void Block::ReconstructResults(const Neighbours& neighbours, const SamplingLimit
     }
 }
 
-Rows Block::NoisyRows(const SamplingLimits& limits) const
+Rows Block::NoisyRows() const
 {
-    if (limits.max == 1)  // one sample shows no noise
-        return {0, int(area.height)};
-    Rows rows{int(area.height), 0};
-    for (int y = 0; y < int(area.height); y++)
-    {
-        double variance = 0.0;
-        for (std::uint32_t x = 0; x < area.width; x++)
-            variance += results[y * area.width + x].variance;
-        if (variance > limits.settings.leastRowVariance * std::min(limits.variance, limits.filtered) * area.width)
-            rows = {std::min(rows.begin, y), y + 1};
-    }
-    return rows;
+    std::vector<std::size_t> noisy;
+    for (std::size_t i = 0; i < results.size(); i++)
+        if (results[i].variance > 0.0f)
+            noisy.push_back(i);
+    return Rows::Of(noisy, area.width);
 }
 
 } // namespace tilt_lens

@@ -103,7 +103,7 @@ class Block
     void ReconstructResults(const Neighbours& neighbours, const SamplingLimits& limits, const BlockStatistics* own,
                             const PaddedSpread* received);
     /// Rows with noticeable noise; all rows with one sample per pixel.
-    Rows NoisyRows(const SamplingLimits& limits) const;
+    Rows NoisyRows() const;
 };
 
 }  // namespace tilt_lens

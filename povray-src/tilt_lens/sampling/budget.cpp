@@ -39,7 +39,6 @@ BudgetPilot::BudgetPilot(const SamplingLimits& given, std::uint32_t itsWidth, st
     few = WithNeighbours(places);
     for (const std::size_t place : all.looked)
         records[place] = std::make_unique<SampleRecord>(PixelsOf(place), limits.settings.mostSentSamples);
-    limits.filtered = UsualVariance(budget);
     BeginRound(*NextTrialVariance(trials, budget, limits.FirstRound()));
 }
 

@@ -179,7 +179,7 @@ std::vector<double> RatiosOrOutliers(const BlockEstimate& estimate)
         VarianceRatioTerms own;
         own.Add(pixel.statistics);
         const double itself = own.independent > 0.0 ? std::min(1.0, own.dualBuffer / own.independent) : 0.0;
-        ratios.push_back(itself > estimate.settings.outlyingRatio * pixel.varianceRatio ? itself : pixel.varianceRatio);
+        ratios.push_back(itself > Settings::outlyingRatio * pixel.varianceRatio ? itself : pixel.varianceRatio);
     }
     return ratios;
 }

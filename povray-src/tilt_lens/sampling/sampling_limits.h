@@ -21,7 +21,6 @@ struct SamplingLimits
     double variance = 1e-4;             ///< of a pixel's value, relative to SquaredScale
     double confidence = 0.9;            ///< probability that the variance is lower, (0, 1)
     bool denoise = false;               ///< filter noise (reconstruction.h)
-    double filtered = 1.0;              ///< noise is filtered as if `variance` were at most this
 
     Settings settings = DefaultSettings();
 
@@ -34,12 +33,13 @@ struct SamplingLimits
         return std::min(power, max);
     }
 
-    /// Twice as many samples up to settings.doubledSamples, then alternately 3/2 and 4/3 times as many: every second round ends at a power
-    /// of two.
+    /// Alternately 3/2 and 4/3 times as many samples, so that every second round ends at a power of two; twice as many where less would
+    /// split a stratum.
     std::uint32_t NextRound(std::uint32_t samples) const
     {
         const bool power = (samples & (samples - 1)) == 0;
-        return std::min(max, samples < settings.doubledSamples ? 2 * samples : samples + samples / (power ? 2 : 3));
+        const std::uint32_t more = samples / (power ? 2 : 3);
+        return std::min(max, samples + (settings.halfRounds && more >= Settings::emitterStratum ? more : samples));
     }
 
     /// @param aims  true if samples may be aimed at emitters
