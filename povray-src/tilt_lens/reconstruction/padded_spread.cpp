@@ -28,6 +28,8 @@ void AddRow(const float* from, int count, float* to)
 }
 
 constexpr int kSide = int(Settings::blockSide), kBorder = PaddedBlock::kBorder, kReach = SpreadSums::kReach;
+/// Error of a difference of two float sums over many samples, relative to the sums; an even picture showed at most 4e-5.
+constexpr float kRounding = 1e-4f;
 static_assert(kBorder + kReach <= kSide, "samples of the neighbours must be all that reaches the border");
 
 } // namespace
@@ -61,14 +63,15 @@ void PaddedSpread::Finish(const Received& received, std::size_t at)
     const Mask4 known = shares > none;
     Store(&share[at], shares);
     Store(&samples[at], known ? shares * shares / Load<Float4>(&received[SpreadSums::kSquaredShares][at]) : none);
-    Float4 squares = known ? Load<Float4>(&received[SpreadSums::kSquares][at]) / shares : none;
+    const Float4 squares = known ? Load<Float4>(&received[SpreadSums::kSquares][at]) / shares : none;
+    Float4 difference = squares;
     for (int c = 0; c < 3; c++)
     {
         const Float4 average = known ? Load<Float4>(&received[c][at]) / shares : none;
-        squares -= average * average;
+        difference -= average * average;
         Store(&mean[c][at], average);
     }
-    Store(&variance[at], Max(squares, none));
+    Store(&variance[at], difference > kRounding * squares ? difference : none);
 }
 
 } // namespace tilt_lens
