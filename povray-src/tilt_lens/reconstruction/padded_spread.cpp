@@ -28,9 +28,10 @@ void AddRow(const float* from, int count, float* to)
 }
 
 constexpr int kSide = int(Settings::blockSide), kBorder = PaddedBlock::kBorder, kReach = SpreadSums::kReach;
-/// Error of a difference of two float sums over many samples, relative to the sums; an even picture showed at most 4e-5.
-constexpr float kRounding = 1e-4f;
 static_assert(kBorder + kReach <= kSide, "samples of the neighbours must be all that reaches the border");
+
+/// Greatest rounding error of a received variance, relative to the mean square; even pictures showed at most 4e-5.
+constexpr float kRounding = 1e-4f;
 
 } // namespace
 

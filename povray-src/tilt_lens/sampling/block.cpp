@@ -183,7 +183,7 @@ void Block::SetResults(const BlockEstimate& last, const SamplingLimits& limits, 
 void Block::ReconstructResults(const Neighbours& neighbours, const SamplingLimits& limits, const BlockStatistics* own,
                                const PaddedSpread* received)
 {
-    const Rows rows = limits.max == 1 ? Rows{0, int(area.height)} : NoisyRows();  // one sample shows no noise
+    const Rows rows = limits.max == 1 ? kAllRows : NoisyRows();  // one sample shows no noise
     if (rows.IsEmpty() || (limits.max == 1 && received == nullptr))
         return;
     std::array<const BlockStatistics*, 9> known = EachOf<BlockStatistics>(neighbours, &Block::statistics);

@@ -102,7 +102,7 @@ class Block
     void SetResults(const BlockEstimate& last, const SamplingLimits& limits, double loneVariance);
     void ReconstructResults(const Neighbours& neighbours, const SamplingLimits& limits, const BlockStatistics* own,
                             const PaddedSpread* received);
-    /// Rows with noticeable noise; all rows with one sample per pixel.
+    /// From the first row with noise to the last.
     Rows NoisyRows() const;
 };
 
