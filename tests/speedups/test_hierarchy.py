@@ -33,6 +33,16 @@ INFINITE = """
 plane { y, -0.6 pigment { checker rgb 0.2 rgb 0.8 } } plane { -z, -8 pigment { rgb <0.3, 0.4, 0.7> } }
 sphere { <1, 0, 1e6>, 1e5 pigment { rgb 1 } } sphere { <0, 0, 2>, 1e-4 pigment { rgb 1 } }
 """
+# a town in millimetres before hills: POV-Ray calls objects of more than 2e10 cubic units infinite
+MILLIMETRES = """
+light_source { <4e6, 6e6, -5e6>, 1 }
+#declare Dice = seed(6);
+#for (I, 1, 120) box { <-3000, -500, -2500>, <3000, 4000 + 6000*rand(Dice), 2500> rotate 90*rand(Dice)*y
+  translate <60000*rand(Dice) - 30000, 0, 60000*rand(Dice)> pigment { rgb <rand(Dice), rand(Dice), 0.5> } } #end
+#for (I, 1, 12) sphere { 0, 9e4 scale <1, 0.3 + 0.02*I, 1> translate <4e4*I - 2.6e5, -5000*I, 4e5> pigment { rgb I/20 } } #end
+plane { y, -600 pigment { checker rgb 0.2 rgb 0.8 scale 2000 } }
+intersection { plane { y, -400 } plane { x, -2e4 } pigment { rgb <0.2, 0.3, 0.6> } finish { reflection 0.3 } }
+"""
 # more than the traversal's stack holds
 CROWD = """
 #for (I, 1, 90) plane { -z, I/10 - 18 pigment { rgb <0.3, I/90, 0.7> } }
@@ -98,6 +108,16 @@ class Hierarchy(rendering.RenderTest):
         ):
             with self.subTest(name):
                 self.assert_same(rendering.render(TILTED + world, "+MB1", **SIZE), rendering.render(TILTED + world, "-MB", **SIZE), name)
+
+    def test_of_large_objects(self):
+        camera = (
+            "camera { location <0, 12000, -30000> look_at <0, 4000, 20000> focal_point <0, 0, 20000> aperture 900 "
+            "blur_samples 2, 2 variance 0 tilt_lens { tilt 5 } }\n"
+        )
+        picture, told = rendering.render_and_listen(camera + MILLIMETRES, "+MB1", **SIZE)
+        self.assert_same(picture, rendering.render(camera + MILLIMETRES, "-MB", **SIZE))
+        self.assertRegex(told, r"Finite Objects: +132\b")
+        self.assertRegex(told, r"Infinite Objects: +2\b")
 
     def test_of_meshes(self):
         pictures = {name: rendering.render(TILTED + LIGHT + TRIANGLES % leaves, **SIZE) for name, leaves in LEAVES.items()}

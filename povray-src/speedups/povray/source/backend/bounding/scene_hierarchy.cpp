@@ -41,6 +41,13 @@ BoxItem ItemOf(const BBOX& box, const void* what)
     return item;
 }
 
+/// POV-Ray's INFINITE_FLAG also marks boxes of more than 2e10 cubic units, such as those of houses in millimetres.
+bool HasEnds(const BBOX& box)
+{
+    const float leastOfEndless = BOUND_HUGE / 4;  // a half space has BOUND_HUGE / 2
+    return box.Lengths[X] < leastOfEndless && box.Lengths[Y] < leastOfEndless && box.Lengths[Z] < leastOfEndless;
+}
+
 ObjectPtr Visible(ObjectPtr object)
 {
     if (!(object->Type & LIGHT_SOURCE_OBJECT))
@@ -158,10 +165,10 @@ void SceneHierarchy::AddObjects(const std::vector<ObjectPtr>& all)
             objects.push_back(object);
     std::vector<BoxItem> items;
     for (const ObjectPtr& object : objects)
-        if (Test_Flag(object, INFINITE_FLAG))
-            infinite.push_back(&object);
-        else
+        if (HasEnds(object->BBox))
             items.push_back(ItemOf(object->BBox, &object));
+        else
+            infinite.push_back(&object);
     finite.reset(new BoxHierarchy(std::move(items)));
 }
 
