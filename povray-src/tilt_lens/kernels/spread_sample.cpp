@@ -138,30 +138,84 @@ struct CirclePixels
     }
 };
 
+/// A place in the table of densities, in units of 2^-kShift cells: a row of pixels from it on cannot overflow.
+constexpr int kShift = 16, kMostCells = 1024;
+
+TILT_LENS_INLINED int FixedPlace(float cells)
+{
+    return int(Max(-float(kMostCells), Min(cells, float(kMostCells))) * (1 << kShift));
+}
+
+constexpr int kCountedLanes[kMostLanes] = {0, 1, 2, 3, 4, 5, 6, 7};
+
+/// Cells of a row of pixels, from left to right.
+struct CellWalk
+{
+    int columnStep, rowStep;
+    Ints columns{}, rows{};
+
+    TILT_LENS_INLINED CellWalk(const DensityTable& table, float firstA, float firstB, float stepA, float stepB) :
+        columnStep(FixedPlace(stepA * table.scale)), rowStep(FixedPlace(stepB * table.scale))
+    {
+        const Ints lanes = Load<Ints>(kCountedLanes);
+        columns = FixedPlace(table.PlaceOf(firstA)) + lanes * columnStep;
+        rows = FixedPlace(table.PlaceOf(firstB)) + lanes * rowStep;
+    }
+
+    TILT_LENS_INLINED Floats Next(const DensityTable& table)
+    {
+        const Ints cells = Cell(rows) * int(Settings::densityCells) + Cell(columns);
+        columns += kWidth * columnStep;
+        rows += kWidth * rowStep;
+        Floats densities{};
+        for (int lane = 0; lane < kWidth; lane++)
+            densities[lane] = table.cells[cells[lane]];
+        return densities;
+    }
+
+  private:
+    static TILT_LENS_INLINED Ints Cell(const Ints& places)
+    {
+        return Max<Ints>(Ints(), Min<Ints>(int(Settings::densityCells) - 1 - Ints(), places >> kShift));
+    }
+};
+
 /// For lenses other than the unit disc.
 struct Densities
 {
-    float of[kRows * kRows + kMostLanes];
+    float of[kRows * kRows + kMostLanes];  ///< of the pixels of one row after another
     float sum = 0.0f;
 
-    void Find(const CircleOfConfusion& circle, const CirclePixels& pixels, int column, int row)
+    TILT_LENS_INLINED void Find(const CircleOfConfusion& circle, const CirclePixels& pixels, int column, int row)
     {
+        const DensityTable table = circle.lens->Density();
         const float inverse = 1.0f / (circle.xa * circle.yb - circle.xb * circle.ya);
-        const AperturePoints step{-circle.yb * inverse, circle.ya * inverse};
+        Floats sums[kMostLanes / kWidth]{};
         float* to = of;
-        for (int i = 0; i < kRows; i++)
+        for (unsigned int rest = pixels.rows; rest != 0; rest &= rest - 1)
         {
-            const float dx = circle.x - pixels.begin[i] - 0.5f, dy = circle.y - (row + i - kReach) - 0.5f;
-            const AperturePoints first{(circle.yb * dx - circle.xb * dy) * inverse, (circle.xa * dy - circle.ya * dx) * inverse};
-            const int count = pixels.end[i] - pixels.begin[i];
-            circle.lens->FindDensities(first, step, count, to);
-            const int place = pixels.begin[i] - column + kReach;
-            for (int k = 0; k < count; k++)
-                sum += kWindow.of[i] * kWindow.of[place + k] * to[k];
+            const int i = __builtin_ctz(rest), begin = pixels.begin[i], count = pixels.end[i] - begin;
+            const float dx = circle.x - begin - 0.5f, dy = circle.y - (row + i - kReach) - 0.5f;
+            CellWalk walk(table, (circle.yb * dx - circle.xb * dy) * inverse, (circle.xa * dy - circle.ya * dx) * inverse,
+                          -circle.yb * inverse, circle.ya * inverse);
+            const float* const window = kWindow.of + (begin - column + kReach);
+            for (int k = 0; k < count; k += kMostLanes)
+            {
+                const float* const inRow = kInRow + kMostLanes - Min(kMostLanes, count - k);
+                for (int j = 0; j < kMostLanes; j += kWidth)
+                {
+                    const Floats densities = walk.Next(table);
+                    Store(to + k + j, densities);
+                    sums[j / kWidth] += kWindow.of[i] * Load<Floats>(inRow + j) * Load<Floats>(window + k + j) * densities;
+                }
+            }
             to += count;
         }
-        for (int k = 0; k < kMostLanes; k++)
-            to[k] = 0.0f;
+        float lanes[kMostLanes];
+        for (int j = 0; j < kMostLanes; j += kWidth)
+            Store(lanes + j, sums[j / kWidth]);
+        for (const float lane : lanes)
+            sum += lane;
     }
 };
 

@@ -3,8 +3,6 @@
 
 #include "tilt_lens/reconstruction/spread.h"
 
-#include <algorithm>
-
 #include "tilt_lens/math/kernels.h"
 #include "tilt_lens/reconstruction/blur_ellipse.h"
 
@@ -33,16 +31,9 @@ LensFootprint::LensFootprint(const Lens& lens, const Aperture& aperture, double 
                                                       boundingRadius * ((2.0 * row + 1.0) / Settings::densityCells - 1.0)})));
 }
 
-void LensFootprint::FindDensities(const AperturePoints& first, const AperturePoints& step, int count, float* densities) const
+DensityTable LensFootprint::Density() const
 {
-    // in units of 2^-kShift cells; kReach pixels on either side cannot overflow
-    constexpr int kShift = 16, kMost = 1024, last = Settings::densityCells - 1;
-    const float scale = 0.5f * Settings::densityCells / boundingRadius;
-    const auto places = [](float cells) { return int(std::min(std::max(cells, float(-kMost)), float(kMost)) * (1 << kShift)); };
-    int column = places((first.a + boundingRadius) * scale), row = places((first.b + boundingRadius) * scale);
-    const int columnStep = places(step.a * scale), rowStep = places(step.b * scale);
-    for (int i = 0; i < count; i++, column += columnStep, row += rowStep)
-        densities[i] = density[std::clamp(row >> kShift, 0, last) * Settings::densityCells + std::clamp(column >> kShift, 0, last)];
+    return {density.data(), 0.5f * Settings::densityCells / boundingRadius};
 }
 
 /// The hit lies along the chief ray plus `vergence` times the lens point; M is the derivative by the lens point.

@@ -33,10 +33,14 @@ struct CircleOfConfusion
     const LensFootprint* lens = nullptr;  ///< null: serves its own pixel alone
 };
 
-/// A point in aperture coordinates, or a step.
-struct AperturePoints
+/// The lens's density: a grid of Settings::densityCells squared cells over the square around the aperture.
+struct DensityTable
 {
-    float a, b;
+    const float* cells;  ///< row by row; relative brightness
+    float scale;         ///< cells for each unit of aperture coordinates; the grid's middle is their origin
+
+    /// A place along a or b, in cells.
+    TILT_LENS_INLINED float PlaceOf(float coordinate) const { return coordinate * scale + 0.5f * Settings::densityCells; }
 };
 
 /// Immutable and thread-safe.
@@ -52,8 +56,8 @@ class LensFootprint
     /// In aperture coordinates.
     TILT_LENS_INLINED float BoundingRadius() const { return boundingRadius; }
     TILT_LENS_INLINED bool IsDisc() const { return isDisc; }
-    /// Relative brightness at `count` points.
-    void FindDensities(const AperturePoints& first, const AperturePoints& step, int count, float* densities) const;
+    /// Call unless IsDisc().
+    DensityTable Density() const;
 
   private:
     struct Axis
