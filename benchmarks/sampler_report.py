@@ -63,8 +63,8 @@ def section_found_lamps(rows):
     width, height = rows[0]["size"]
     return [
         f"Pictures of {width} by {height} with the default settings, {len(found_lamps.SEEDS)} seeds. The work is MSE times rays, over that of"
-        " fixed sampling with as many rays; in brackets is what fixed sampling has. The last column is the reference's own MSE over"
-        " the lesser of both.",
+        " fixed sampling with as many rays (the nearest multiple of four); in brackets is what fixed sampling has. The last column is"
+        " the reference's own MSE over the lesser of both.",
         table(
             [
                 "scene",
