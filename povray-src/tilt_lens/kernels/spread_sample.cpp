@@ -60,8 +60,13 @@ TILT_LENS_INLINED Floats WindowSumUpTo(const Floats& distance)
     return distance * ((1.0f + inverse / 12.0f) - distance * distance * (inverse / 3.0f));
 }
 
-/// Loaded from index kMostLanes - count, a mask starts with `count` ones.
 constexpr float kInRow[2 * kMostLanes] = {1, 1, 1, 1, 1, 1, 1, 1};
+
+/// A mask of kMostLanes: ones for the first `left` lanes, then zeros.
+TILT_LENS_INLINED const float* InRow(int left)
+{
+    return kInRow + kMostLanes - Min(kMostLanes, left);
+}
 
 constexpr int kWidth = kVectorWidth<Floats>;
 
@@ -148,21 +153,27 @@ TILT_LENS_INLINED int FixedPlace(float cells)
 
 constexpr int kCountedLanes[kMostLanes] = {0, 1, 2, 3, 4, 5, 6, 7};
 
-/// Cells of a row of pixels, from left to right.
+/// Densities along rows of pixels, from left to right.
 struct CellWalk
 {
-    int columnStep, rowStep;
+    const DensityTable table;
+    const int columnStep, rowStep;
     Ints columns{}, rows{};
 
-    TILT_LENS_INLINED CellWalk(const DensityTable& table, float firstA, float firstB, float stepA, float stepB) :
-        columnStep(FixedPlace(stepA * table.scale)), rowStep(FixedPlace(stepB * table.scale))
+    /// @param stepA, stepB  from pixel to pixel, in aperture coordinates
+    TILT_LENS_INLINED CellWalk(const DensityTable& table, float stepA, float stepB) :
+        table(table), columnStep(FixedPlace(stepA * table.scale)), rowStep(FixedPlace(stepB * table.scale))
     {
-        const Ints lanes = Load<Ints>(kCountedLanes);
-        columns = FixedPlace(table.PlaceOf(firstA)) + lanes * columnStep;
-        rows = FixedPlace(table.PlaceOf(firstB)) + lanes * rowStep;
     }
 
-    TILT_LENS_INLINED Floats Next(const DensityTable& table)
+    TILT_LENS_INLINED void StartAt(float a, float b)
+    {
+        const Ints lanes = Load<Ints>(kCountedLanes);
+        columns = FixedPlace(table.PlaceOf(a)) + lanes * columnStep;
+        rows = FixedPlace(table.PlaceOf(b)) + lanes * rowStep;
+    }
+
+    TILT_LENS_INLINED Floats Next()
     {
         const Ints cells = Cell(rows) * int(Settings::densityCells) + Cell(columns);
         columns += kWidth * columnStep;
@@ -188,23 +199,22 @@ struct Densities
 
     TILT_LENS_INLINED void Find(const CircleOfConfusion& circle, const CirclePixels& pixels, int column, int row)
     {
-        const DensityTable table = circle.lens->Density();
         const float inverse = 1.0f / (circle.xa * circle.yb - circle.xb * circle.ya);
-        Floats sums[kMostLanes / kWidth]{};
+        CellWalk walk(circle.lens->Density(), -circle.yb * inverse, circle.ya * inverse);
+        Floats sums[kMostLanes / kWidth]{};  // kMostLanes sums in all variants: the same result to the last bit
         float* to = of;
         for (unsigned int rest = pixels.rows; rest != 0; rest &= rest - 1)
         {
             const int i = __builtin_ctz(rest), begin = pixels.begin[i], count = pixels.end[i] - begin;
             const float dx = circle.x - begin - 0.5f, dy = circle.y - (row + i - kReach) - 0.5f;
-            CellWalk walk(table, (circle.yb * dx - circle.xb * dy) * inverse, (circle.xa * dy - circle.ya * dx) * inverse,
-                          -circle.yb * inverse, circle.ya * inverse);
+            walk.StartAt((circle.yb * dx - circle.xb * dy) * inverse, (circle.xa * dy - circle.ya * dx) * inverse);
             const float* const window = kWindow.of + (begin - column + kReach);
             for (int k = 0; k < count; k += kMostLanes)
             {
-                const float* const inRow = kInRow + kMostLanes - Min(kMostLanes, count - k);
+                const float* const inRow = InRow(count - k);
                 for (int j = 0; j < kMostLanes; j += kWidth)
                 {
-                    const Floats densities = walk.Next(table);
+                    const Floats densities = walk.Next();
                     Store(to + k + j, densities);
                     sums[j / kWidth] += kWindow.of[i] * Load<Floats>(inRow + j) * Load<Floats>(window + k + j) * densities;
                 }
@@ -235,8 +245,7 @@ struct RowShares
 
     TILT_LENS_INLINED Floats From(int column) const
     {
-        const int count = Min(kMostLanes, end - column);
-        const Floats shares = Load<Floats>(kInRow + kMostLanes - count) * Load<Floats>(ofColumns + column);
+        const Floats shares = Load<Floats>(InRow(end - column)) * Load<Floats>(ofColumns + column);
         return density != nullptr ? Load<Floats>(density + (column - begin)) * shares : shares;
     }
 };

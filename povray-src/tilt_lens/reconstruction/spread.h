@@ -56,7 +56,7 @@ class LensFootprint
     /// In aperture coordinates.
     TILT_LENS_INLINED float BoundingRadius() const { return boundingRadius; }
     TILT_LENS_INLINED bool IsDisc() const { return isDisc; }
-    /// Call unless IsDisc().
+    /// Empty for a disc.
     DensityTable Density() const;
 
   private:
