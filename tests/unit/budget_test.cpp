@@ -76,6 +76,23 @@ TEST(NextVariance, SeesStepsInTheTrials)
     EXPECT_GE(found.cost, 0.7 * 12.0) << "the step is from 9.3 to 13.3";
 }
 
+/// From 3.3e-4 to 2.8e-4 the excess hardly grows, above and below steeply. Measured in a board out of focus.
+double SamplesWithLevelStretch(double variance)
+{
+    const double level = std::clamp(variance, 2.8e-4, 3.3e-4);
+    return 4.0 + 4.4 * std::pow(4.9e-4 / variance, 1.4) * std::pow(level / 3.3e-4, 1.1);
+}
+
+TEST(NextVariance, DoesNotTakeALevelStretchForTheWholeSlope)
+{
+    for (double budget = 12.0; budget < 20.0; budget += 0.5)
+    {
+        const Found found = Search(budget, 0.8, SamplesWithLevelStretch);
+        EXPECT_LE(found.cost, budget);
+        EXPECT_GE(found.cost, 0.88 * budget) << budget;
+    }
+}
+
 TEST(NextVariance, EndsWhereTheBudgetIsTooSmall)
 {
     const Found found = Search(6.0, 1.0, [](double) { return 8.0; });

@@ -22,8 +22,9 @@ constexpr double kGreatestTrialFactor = 4.0, kGreatestGrowth = 1.5, kGreatestSha
 constexpr double kLeastFactor = 1.02;
 /// Shares of the budget: limit of the first round with all blocks, since the trials may have missed lamps; aim of each search; enough.
 constexpr double kFirstShare = 0.4, kAim = 0.96, kEnough = 0.91;
-/// The excess grows as a power of the inverse variance. The exponent is about 1, more where many pixels have the same noise.
-constexpr double kLeastExponent = 0.5, kGreatestExponent = 2.0;
+/// The excess grows as a power of the inverse variance. The exponent is about 1, more where many pixels have the same noise; so less than 1
+/// in a few rounds does not last.
+constexpr double kLeastExponent = 1.0, kGreatestExponent = 2.0;
 /// Nearer variances tell nothing of the exponent.
 constexpr double kLeastSlopeFactor = 1.1;
 /// A step, where many pixels have the same noise: least growth as a share of the budget, greatest factor between variances. All blocks do
@@ -63,17 +64,19 @@ double ShareOf(double budget, double share, double least)
     return least + share * (budget - least);
 }
 
-/// Steepest growth of the excess between neighbouring variances, the lower one below `greatest`.
+/// Steepest growth of the excess between variances at least kLeastSlopeFactor apart, the lower one below `greatest`.
 double ExponentOf(BudgetRounds rounds, double greatest, double least)
 {
     std::sort(rounds.begin(), rounds.end(), [](const BudgetRound& a, const BudgetRound& b) { return a.variance < b.variance; });
     double steepest = kLeastExponent;
-    for (std::size_t i = 0; i + 1 < rounds.size() && rounds[i].variance < greatest; i++)
+    for (auto low = rounds.begin(); low != rounds.end() && low->variance < greatest; ++low)
     {
-        const double factor = rounds[i + 1].variance / rounds[i].variance;
-        const double growth = Excess(rounds[i].samples, least) / Excess(rounds[i + 1].samples, least);
-        if (factor >= kLeastSlopeFactor)
-            steepest = std::max(steepest, std::log(growth) / std::log(factor));
+        const auto isHigher = [low](const BudgetRound& round) { return round.variance >= kLeastSlopeFactor * low->variance; };
+        const auto high = std::find_if(low, rounds.end(), isHigher);
+        if (high == rounds.end())
+            break;
+        const double growth = Excess(low->samples, least) / Excess(high->samples, least);
+        steepest = std::max(steepest, std::log(growth) / std::log(high->variance / low->variance));
     }
     return std::min(steepest, kGreatestExponent);
 }
@@ -85,7 +88,7 @@ std::optional<double> Lower(double variance, double factor)
     return next * kLeastFactor <= variance ? next : std::optional<double>();
 }
 
-} // namespace
+}  // namespace
 
 std::optional<double> NextTrialVariance(const BudgetRounds& trials, double budget, double least)
 {
@@ -134,4 +137,4 @@ const BudgetRound* BestRound(const BudgetRounds& rounds, double recorded, double
     return best;
 }
 
-} // namespace tilt_lens
+}  // namespace tilt_lens
