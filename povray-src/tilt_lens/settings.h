@@ -62,6 +62,8 @@ struct Settings
 
     /// @name Estimator of a pixel's variance (section 3)
     /// @{
+    /// Least share of the worst colour's variance that counts.
+    static constexpr double worstColourShare = 0.7;
     /// Samples beyond which the pixels around count less.
     static constexpr std::uint32_t reliableSamples = 16;
     /// Weight of the previous round's variance ratio, in equally noisy pixels.

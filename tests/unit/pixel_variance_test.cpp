@@ -106,10 +106,11 @@ TEST(VarianceRatio, RatioOfMeanSolvesBothEquations)
             }
 }
 
-TEST(DecisiveVariance, CountsTheColoursHalfAndTheWorstHalf)
+TEST(DecisiveVariance, IsTheMeanOfTheColoursOrAShareOfTheWorst)
 {
     EXPECT_DOUBLE_EQ(DecisiveVariance({0.3, 0.3, 0.3, 0.0, 0.0}), 0.3);
-    EXPECT_DOUBLE_EQ(DecisiveVariance({0.0, 0.6, 0.0, 0.0, 0.0}), 0.4);
+    EXPECT_DOUBLE_EQ(DecisiveVariance({0.3, 0.4, 0.2, 0.0, 0.0}), 0.3);
+    EXPECT_DOUBLE_EQ(DecisiveVariance({0.0, 0.6, 0.0, 0.0, 0.0}), Settings::worstColourShare * 0.6);
     EXPECT_DOUBLE_EQ(DecisiveVariance({0.0, 0.6, 0.0, 0.0, 0.5}), 0.5);
 }
 

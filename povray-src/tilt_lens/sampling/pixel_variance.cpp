@@ -92,7 +92,7 @@ Radiance VarianceOfMean(const BlockEstimate& estimate, std::size_t pixel, const 
 double DecisiveVariance(const Radiance& variance)
 {
     const double worst = std::max({variance[0], variance[1], variance[2]});
-    return std::max({0.5 * (MeanColour(variance) + worst), variance[3], variance[4]});
+    return std::max({MeanColour(variance), Settings::worstColourShare * worst, variance[3], variance[4]});
 }
 
 std::vector<double> VariancesToDecide(const BlockEstimate& estimate, const Rows& rows)

@@ -50,8 +50,8 @@ class CircleVariance
 /// @param variance  of one sample, by the pixel's own samples or those around
 Radiance VarianceOfMean(const BlockEstimate& estimate, std::size_t pixel, const Radiance& variance);
 
-/// The stop rule decides by it: half is the mean of the colours, over which errors are measured, half the worst colour, in which they are
-/// seen. Transparency counts alone.
+/// The stop rule decides by it: the mean of the colours, over which errors are measured, but at least a share of the worst colour, in
+/// which they are seen (docs/sampling.md, section 3). Transparency counts alone.
 /// @param variance  without negative channels
 double DecisiveVariance(const Radiance& variance);
 
