@@ -1,6 +1,6 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""The manual's pictures have their scenes, scripts and portraits."""
+"""The manual's pictures have their scenes, scripts and portraits, and the lines of its report are explained."""
 
 import pathlib
 import re
@@ -36,6 +36,16 @@ class Pictures(unittest.TestCase):
     def test_they_are_small(self):
         for path in figures.PICTURES.iterdir():
             self.assertLess(path.stat().st_size, 60_000, path.name)
+
+
+class Report(unittest.TestCase):
+    def test_its_lines_are_explained(self):
+        text = figures.MANUAL.read_text()
+        shown = text.split("<!-- report: ")[1].split("<!-- end of the report -->")[0]
+        lines = re.findall(r"^  (\w[\w ]*)\.", shown, re.MULTILINE)
+        self.assertGreater(len(lines), 5)
+        for line in lines:
+            self.assertIn(f"| `{line}` |", text)
 
 
 class Portraits(unittest.TestCase):

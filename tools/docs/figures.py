@@ -1,11 +1,12 @@
 # povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""Makes the pictures of docs/manual.md from the scenes in it, its table of qualities, and the drawings of docs/optics.md.
+"""Makes the pictures of docs/manual.md from the scenes in it, its table of qualities, its report, and the drawings of docs/optics.md.
 
     python3 -m tools.docs.figures                     everything: some minutes
     python3 -m tools.docs.figures pictures tilt_8     some of the pictures
     python3 -m tools.docs.figures drawings            needs gnuplot (Debian: gnuplot-nox)
     python3 -m tools.docs.figures quality             the table
+    python3 -m tools.docs.figures report              what the program says after a render
 
 Needs oiiotool (Debian: openimageio-tools).
 """
@@ -65,6 +66,7 @@ MADE = {
     "photograph": ("photograph.pov", [], (450, 300)),
 }
 ANTIALIASED = {"shift.pov"}  # no aperture, hence one ray per pixel
+REPORTED = ROOT / "scenes" / "gallery" / "watch_on_table.pov"
 
 
 def scenes(folder):
@@ -86,6 +88,13 @@ def render(povray, folder, scene, options, size, output):
         return povray_run.run(command, folder, limit=None).succeeded().said
     except povray_run.Failed as error:
         sys.exit(str(error))
+
+
+def replace(what, part, text):
+    begin, end = f"<!-- {what}: tools/docs/figures.py {part} -->\n", f"<!-- end of the {what} -->"
+    before, rest = MANUAL.read_text().split(begin)
+    MANUAL.write_text(f"{before}{begin}{text}\n{end}{rest.split(end, 1)[1]}")
+    print(text)
 
 
 def make_pictures(povray, names):
@@ -123,11 +132,14 @@ def quality_table(povray):
             time = re.search(r"Trace Time:.*\n\s*using 1 thread\(s\) with ([\d.]+) CPU", said)
             first = first or float(time[1])
             rows.append(f"| {step} | {', '.join(samples.groups())} | {error[1]} | {float(time[1]) / first:.1f} |")
-    begin, end = "<!-- quality table: tools/docs/figures.py quality -->\n", "<!-- end of the quality table -->"
-    text = MANUAL.read_text()
-    before, rest = text.split(begin)
-    MANUAL.write_text(before + begin + "\n".join(rows) + "\n" + end + rest.split(end, 1)[1])
-    print("\n".join(rows))
+    replace("quality table", "quality", "\n".join(rows))
+
+
+def report(povray):
+    with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
+        said = render(povray, pathlib.Path(name), REPORTED, [], (320, 240), "picture.png")
+    lines = re.search(r"^Tilt Lens Sampling\n(?: +\S.*\n)+", said, re.MULTILINE)[0]
+    replace("report", "report", f"```text\n{lines}```")
 
 
 def make_drawings(names, folder=DRAWINGS):
@@ -145,7 +157,7 @@ def make_drawings(names, folder=DRAWINGS):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("part", nargs="?", choices=["all", "pictures", "drawings", "quality"], default="all")
+    parser.add_argument("part", nargs="?", choices=["all", "pictures", "drawings", "quality", "report"], default="all")
     parser.add_argument("names", nargs="*", help="some pictures or drawings; without: all")
     parser.add_argument("--povray", default=str(BUILD / "bin" / "povray"))
     args = parser.parse_args()
@@ -156,6 +168,8 @@ def main():
         make_pictures(povray, args.names)
     if args.part in ("all", "quality"):
         quality_table(povray)
+    if args.part in ("all", "report"):
+        report(povray)
 
 
 if __name__ == "__main__":
