@@ -139,7 +139,8 @@ def report(povray):
     with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
         said = render(povray, pathlib.Path(name), REPORTED, [], (320, 240), "picture.png")
     lines = re.search(r"^Tilt Lens Sampling\n(?: +\S.*\n)+", said, re.MULTILINE)[0]
-    replace("report", "report", f"```text\n{lines}```")
+    whole = re.sub(r"\n (?=\S)", " ", lines)  # the console breaks long lines
+    replace("report", "report", f"```text\n{whole}```")
 
 
 def make_drawings(names, folder=DRAWINGS):
