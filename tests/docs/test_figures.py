@@ -7,7 +7,7 @@ import re
 import tempfile
 import unittest
 
-from tools.docs import figures, lens_portraits, pages
+from tools.docs import figures, lens_portraits, marked, pages
 from tools.repository import ROOT
 
 
@@ -40,12 +40,29 @@ class Pictures(unittest.TestCase):
 
 class Report(unittest.TestCase):
     def test_its_lines_are_explained(self):
-        text = figures.MANUAL.read_text()
-        shown = text.split("<!-- report: ")[1].split("<!-- end of the report -->")[0]
+        before, shown, after = marked.parts(figures.MANUAL, *figures.REPORT)
         lines = re.findall(r"^  (\w[\w ]*)\.", shown, re.MULTILINE)
         self.assertGreater(len(lines), 5)
         for line in lines:
-            self.assertIn(f"| `{line}` |", text)
+            self.assertIn(f"| `{line}` |", after)
+
+
+class Marked(unittest.TestCase):
+    def page(self, text):
+        folder = tempfile.TemporaryDirectory(prefix="tilt_lens.")
+        self.addCleanup(folder.cleanup)
+        page = pathlib.Path(folder.name) / "page.md"
+        page.write_text(text)
+        return page
+
+    def test_filled(self):
+        page = self.page("a\n<!-- table -->\nold\n<!-- end -->\nb <!-- end -->\n")
+        self.assertEqual(marked.filled(page, "table", "end", "new\n"), "a\n<!-- table -->\nnew\n<!-- end -->\nb <!-- end -->\n")
+
+    def test_faults(self):
+        for text in ("", "<!-- table -->\n", "<!-- end -->\n<!-- table -->\n", 2 * "<!-- table -->\n<!-- end -->\n"):
+            with self.subTest(text), self.assertRaisesRegex(SystemExit, "page.md needs the lines <!-- table --> and <!-- end --> once"):
+                marked.parts(self.page(text), "table", "end")
 
 
 class Portraits(unittest.TestCase):

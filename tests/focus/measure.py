@@ -7,13 +7,13 @@
 Times are those of software rendering."""
 
 import os
-import re
 import statistics
 import subprocess
 import time
 
 from tests.focus import harness
 from tests.focus.harness import ROOT, PageTest
+from tools.docs import marked
 
 PAGE = ROOT / "docs" / "focus.md"
 PICTURES = ROOT / "docs" / "pictures" / "focus"
@@ -179,10 +179,8 @@ class Measure(PageTest):
         self.put("differences", ["| scene | RMSE of the live picture | RMSE without blur |", "| --- | --- | --- |", *rows])
 
     def put(self, name, lines):
-        marked = re.compile(rf"(<!-- measured: tests/focus/measure.py, {name} -->\n).*?(<!-- end of {name} -->)", re.DOTALL)
-        page, count = marked.subn(lambda m: m[1] + "\n".join(lines) + "\n" + m[2], PAGE.read_text())
-        self.assertEqual(count, 1)
-        PAGE.write_text(page)
+        place = (f"measured: tests/focus/measure.py, {name}", f"end of {name}")
+        PAGE.write_text(marked.filled(PAGE, *place, "\n".join(lines) + "\n"))
 
 
 if __name__ == "__main__":

@@ -21,7 +21,7 @@ import sys
 import tempfile
 
 from tools import povray_run
-from tools.docs import pages
+from tools.docs import marked, pages
 from tools.repository import BUILD, ROOT
 
 MANUAL = ROOT / "docs" / "manual.md"
@@ -67,6 +67,8 @@ MADE = {
 }
 ANTIALIASED = {"shift.pov"}  # no aperture, hence one ray per pixel
 REPORTED = ROOT / "scenes" / "gallery" / "watch_on_table.pov"
+QUALITY = ("quality table: tools/docs/figures.py quality", "end of the quality table")
+REPORT = ("report: tools/docs/figures.py report", "end of the report")
 
 
 def scenes(folder):
@@ -90,10 +92,8 @@ def render(povray, folder, scene, options, size, output):
         sys.exit(str(error))
 
 
-def replace(what, part, text):
-    begin, end = f"<!-- {what}: tools/docs/figures.py {part} -->\n", f"<!-- end of the {what} -->"
-    before, rest = MANUAL.read_text().split(begin)
-    MANUAL.write_text(f"{before}{begin}{text}\n{end}{rest.split(end, 1)[1]}")
+def write(place, text):
+    MANUAL.write_text(marked.filled(MANUAL, *place, text + "\n"))
     print(text)
 
 
@@ -132,7 +132,7 @@ def quality_table(povray):
             time = re.search(r"Trace Time:.*\n\s*using 1 thread\(s\) with ([\d.]+) CPU", said)
             first = first or float(time[1])
             rows.append(f"| {step} | {', '.join(samples.groups())} | {error[1]} | {float(time[1]) / first:.1f} |")
-    replace("quality table", "quality", "\n".join(rows))
+    write(QUALITY, "\n".join(rows))
 
 
 def report(povray):
@@ -140,7 +140,7 @@ def report(povray):
         said = render(povray, pathlib.Path(name), REPORTED, [], (320, 240), "picture.png")
     lines = re.search(r"^Tilt Lens Sampling\n(?: +\S.*\n)+", said, re.MULTILINE)[0]
     whole = re.sub(r"\n (?=\S)", " ", lines)  # the console breaks long lines
-    replace("report", "report", f"```text\n{whole}```")
+    write(REPORT, f"```text\n{whole}```")
 
 
 def make_drawings(names, folder=DRAWINGS):

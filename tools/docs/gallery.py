@@ -20,6 +20,7 @@ import subprocess
 import sys
 
 from tools import povray_run
+from tools.docs import marked
 from tools.repository import BUILD, ROOT
 
 SCENES = ROOT / "scenes/gallery"
@@ -136,12 +137,7 @@ def write_table(rows):
         f"{row['cpu_seconds']} | {row['samples_per_pixel']} | {row['standard_error']} |"
         for _, row in sorted(rows.items())
     ]
-    page = PAGE.read_text()
-    head, mark_begin, rest = page.partition("<!-- table -->\n")
-    _, mark_end, tail = rest.partition("<!-- end of table -->\n")
-    if not mark_begin or not mark_end:
-        sys.exit(f"{PAGE} has no place for the table: the lines <!-- table --> and <!-- end of table --> are missing")
-    PAGE.write_text(head + mark_begin + "\n".join(lines) + "\n" + mark_end + tail)
+    PAGE.write_text(marked.filled(PAGE, "table", "end of table", "\n".join(lines) + "\n"))
 
 
 def main():

@@ -14,6 +14,7 @@ import subprocess
 import sys
 import tempfile
 
+from tools.docs import marked
 from tools.docs.figures import render
 from tools.repository import BUILD, ROOT
 
@@ -23,7 +24,7 @@ PAGE = ROOT / "docs" / "lenses.md"
 PICTURES = ROOT / "docs" / "pictures" / "lenses"
 SIZE = (270, 180)
 SHAPES = ("open", "stopped", "swung")
-BEGIN, END = "<!-- portraits: tools/docs/lens_portraits.py -->\n", "<!-- end of portraits -->"
+PLACE = ("portraits: tools/docs/lens_portraits.py", "end of portraits")
 
 
 def lenses():
@@ -65,8 +66,7 @@ def table():
 
 
 def page():
-    before, rest = PAGE.read_text(encoding="utf-8").split(BEGIN)
-    return before + BEGIN + table() + END + rest.split(END, 1)[1]
+    return marked.filled(PAGE, *PLACE, table())
 
 
 def main():
