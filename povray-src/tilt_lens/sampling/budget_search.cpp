@@ -22,8 +22,8 @@ constexpr double kGreatestTrialFactor = 4.0, kGreatestGrowth = 1.5, kGreatestSha
 constexpr double kLeastFactor = 1.02;
 /// Shares of the budget: limit of the first round with all blocks, since the trials may have missed lamps; aim of each search; enough.
 constexpr double kFirstShare = 0.4, kAim = 0.96, kEnough = 0.91;
-/// The excess grows as a power of the inverse variance. The exponent is about 1, more where many pixels have the same noise; so less than 1
-/// in a few rounds does not last.
+/// The excess grows as a power of the inverse variance. The exponent is about 1, more where many pixels have the same noise. Where it is less
+/// between two rounds, this does not last.
 constexpr double kLeastExponent = 1.0, kGreatestExponent = 2.0;
 /// Nearer variances tell nothing of the exponent.
 constexpr double kLeastSlopeFactor = 1.1;
