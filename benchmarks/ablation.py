@@ -33,6 +33,7 @@ NEVER, ALWAYS = "1e30", "0"
 RULES = (
     ("rounds that end half-way between powers of two", 1, "halfRounds=0"),
     ("prior of the variance ratio", 3, f"varianceRatioPrior={ALWAYS}"),
+    ("targets by deviation", 3, "deviationShare=0"),
     ("search for hidden emitters", 4, "hiddenEmitterSamples=0"),
     ("greatest and least risk", 5, f"greatestRisk={NEVER}"),
     ("near risk in full", 5, f"chanceRisk={NEVER}"),

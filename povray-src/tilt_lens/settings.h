@@ -72,6 +72,14 @@ struct Settings
     static constexpr double outlyingRatio = 4.0;
     /// @}
 
+    /// @name Targets of single pixels, over V (section 3)
+    /// @{
+    /// Share of the target in proportion to a pixel's standard deviation; the rest is equal.
+    double deviationShare = 0.5;
+    /// A target is at most V for each of as many samples of the pixel, and may always be V.
+    double samplesPerTarget = 48.0;
+    /// @}
+
     /// @name Emitter sampling (section 4)
     /// @{
     /// Radiance (1 is white), and part of the lights' sum (`diffuse` of a default finish), that lit surfaces seldom exceed. Emitters are

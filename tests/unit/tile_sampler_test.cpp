@@ -298,7 +298,14 @@ TEST(TileSamplerStop, NonFiniteSamplesAreBlackAndCounted)
         BlockCache blackStore(limits, 8 * Settings::blockSide, 8 * Settings::blockSide, tile);
         TileSampler brokenTile(brokenStore), blackTile(blackStore);
         const auto results = ResultsOf(brokenTile, tile, broken);
-        EXPECT_TRUE(results == ResultsOf(blackTile, tile, black)) << bad;
+        const auto expected = ResultsOf(blackTile, tile, black);
+        for (std::size_t i = 0; i < results.size(); i++)
+        {
+            // sums round otherwise: samples after one that is not finite are added one by one
+            EXPECT_EQ(results[i].samples, expected[i].samples) << bad;
+            EXPECT_NEAR(results[i].mean[0], expected[i].mean[0], 1e-6) << bad;
+            EXPECT_NEAR(results[i].variance, expected[i].variance, 1e-5 * expected[i].variance) << bad;
+        }
         EXPECT_EQ(brokenTile.Statistics().notFinite, results[3 * Settings::blockSide + 2].samples / 8) << bad;
         EXPECT_EQ(blackTile.Statistics().notFinite, 0u);
     }

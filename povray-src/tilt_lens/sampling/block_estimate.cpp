@@ -3,8 +3,6 @@
 
 #include "tilt_lens/sampling/block_estimate.h"
 
-#include <algorithm>
-
 #include "tilt_lens/math/window.h"
 
 namespace tilt_lens

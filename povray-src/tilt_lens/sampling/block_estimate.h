@@ -7,6 +7,7 @@
 #ifndef TILT_LENS_BLOCK_ESTIMATE_H
 #define TILT_LENS_BLOCK_ESTIMATE_H
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -56,6 +57,8 @@ struct BlockEstimate
     /// Share of a pixel's samples that serves other pixels, [0, 1).
     double SharedPart(std::size_t pixel) const { return spread ? 1.0 - spread->ownShare[PlaceOf(pixel)] : 0.0; }
     std::size_t PlaceOf(std::size_t pixel) const { return PaddedBlock::At(int(pixel % area.width), int(pixel / area.width)); }
+    /// Greatest excess with which a pixel may converge.
+    double GreatestExcess(std::size_t pixel) const { return std::max(1.0, pixels[pixel].statistics.Samples() / settings.samplesPerTarget); }
     /// False if each pixel's samples are equal and none were received.
     bool HasNoise() const;
 };

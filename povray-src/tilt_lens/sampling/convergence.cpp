@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include <boost/math/distributions/chi_squared.hpp>
@@ -40,18 +41,43 @@ double ExcessAround(const BlockEstimate& estimate, std::size_t pixel)
 
 /// Pixels with wide circles of confusion decide with their neighbours: alone, one that missed a lamp by chance would stop dark, and one
 /// that hit it would dilute it.
-/// @param samples  taken by active pixels; those with fewer still catch up
-void DecideTogether(BlockEstimate& estimate, std::uint32_t samples)
+std::vector<double> SharedExcess(const BlockEstimate& estimate)
 {
+    std::vector<double> excess;
+    for (std::size_t i = 0; i < estimate.pixels.size(); i++)
+    {
+        const double own = estimate.pixels[i].excess, shared = estimate.SharedPart(i);
+        excess.push_back(shared > 0.0 ? own + shared * (ExcessAround(estimate, i) - own) : own);
+    }
+    return excess;
+}
+
+/// Greatest excess with which each pixel converges. A block has the mean variance V with the fewest samples if each pixel's variance is in
+/// proportion to the standard deviation of one of its samples.
+/// @param least  samples of the first round, which no pixel can save
+std::vector<double> AllowedExcess(const BlockEstimate& estimate, const std::vector<double>& excess, std::uint32_t least)
+{
+    std::vector<double> allowed;
+    for (std::size_t i = 0; i < excess.size(); i++)  // std::max ignores NaN as its second argument
+        allowed.push_back(std::sqrt(std::max(double(least), excess[i] * estimate.pixels[i].statistics.Samples())));
+    const double mean = std::accumulate(allowed.begin(), allowed.end(), 0.0) / allowed.size();
+    for (std::size_t i = 0; i < allowed.size(); i++)
+        allowed[i] = std::min(1.0 + estimate.settings.deviationShare * (allowed[i] / mean - 1.0), estimate.GreatestExcess(i));
+    return allowed;
+}
+
+/// @param samples  taken by active pixels; those with fewer still catch up
+void Decide(BlockEstimate& estimate, std::uint32_t samples, std::uint32_t least)
+{
+    const std::vector<double> excess = SharedExcess(estimate);
+    const std::vector<double> allowed = AllowedExcess(estimate, excess, least);
     for (std::size_t i = 0; i < estimate.pixels.size(); i++)
     {
         PixelEstimate& pixel = estimate.pixels[i];
         if (pixel.active && pixel.statistics.Samples() < samples)
             continue;
         const bool searching = pixel.active && !HasSearchedEmitters(pixel.statistics, pixel.target, estimate.settings.hiddenEmitterSamples);
-        const double own = pixel.excess, shared = estimate.SharedPart(i);
-        // also true if infinite or NaN
-        pixel.active = searching || !((shared > 0.0 ? own + shared * (ExcessAround(estimate, i) - own) : own) <= 1.0);
+        pixel.active = searching || !(excess[i] <= allowed[i]);  // also if infinite or NaN
     }
 }
 
@@ -127,7 +153,7 @@ bool UpdateConvergence(BlockEstimate& estimate, const Neighbourhood& around, con
             PixelEstimate& pixel = estimate.pixels[i];
             pixel.excess = FiniteFloat(std::max((reconstructs ? pixel.residualVarianceRatio : 1.0) * pixel.variance, lone) / target);
         }
-        DecideTogether(estimate, samples);
+        Decide(estimate, samples, limits.FirstRound());
     }
     return std::any_of(estimate.pixels.begin(), estimate.pixels.end(),
                        [&limits](const PixelEstimate& pixel) { return pixel.active && pixel.statistics.Samples() < limits.max; });

@@ -81,7 +81,8 @@ bool UpdateForecast(BlockEstimate& estimate, const std::vector<std::size_t>& can
     const bool saves = std::any_of(candidates.begin(), candidates.end(), [&estimate](std::size_t i)
     {
         const PixelEstimate& pixel = estimate.pixels[i];
-        return pixel.variance > pixel.target && pixel.residualVarianceRatio * pixel.variance <= pixel.target;
+        return pixel.variance > pixel.target * (1.0 - estimate.settings.deviationShare) &&
+               pixel.residualVarianceRatio * pixel.variance <= pixel.target * estimate.GreatestExcess(i);
     });
     if (!saves)
         return false;
