@@ -171,6 +171,34 @@ TEST(UpdateConvergence, NoTargetRisesFromFewSamples)
     EXPECT_LT(ExcessOfUnevenNoise(1e-2).noisy, 1.0);
 }
 
+double MeanExcessOfWhiteNoise(double deviationRatio)
+{
+    Prepared block(Limits(8, 4096, 1e-4), WhiteNoise);
+    block.around.deviationRatio = deviationRatio;
+    TakeAllRounds(block, WhiteNoise);
+    double sum = 0.0;
+    for (const PixelEstimate& pixel : block.estimate.pixels)
+        sum += pixel.excess;
+    return sum / kMiddle.Size();
+}
+
+TEST(UpdateConvergence, ABlockMayKeepMoreThanItsTargetWhereNeighboursKeepLess)
+{
+    EXPECT_LE(MeanExcessOfWhiteNoise(1.0), 1.0);
+    EXPECT_GT(MeanExcessOfWhiteNoise(0.3), 1.2) << "quiet neighbours";
+    EXPECT_LT(MeanExcessOfWhiteNoise(10.0), 0.6) << "noisy neighbours";
+}
+
+TEST(MeanDeviation, IsThatOfOneSampleOverThatWithWhichTheFirstRoundKeepsV)
+{
+    const SamplingLimits limits = Limits(8, 1024, 1e-4);
+    EXPECT_EQ(MeanDeviation(FirstEstimate(kMiddle, 8, Constant), limits), 1.0);
+    // windows raise the variances of most pixels
+    const double excess = ConfidenceFactor(8, limits.confidence) / 12.0 / 8.0 / 1e-4;
+    EXPECT_NEAR(MeanDeviation(FirstEstimate(kMiddle, 8, WhiteNoise), limits), std::sqrt(excess), 0.2 * std::sqrt(excess));
+    EXPECT_EQ(MeanDeviation(FirstEstimate(kMiddle, 8, WhiteNoise), Limits(8, 1024, 0.0)), 1.0);
+}
+
 TEST(UpdateConvergence, AnUnboundedVarianceKeepsNoOtherPixelActive)
 {
     for (const double value : {1e30, double(INFINITY), double(NAN)})
@@ -272,6 +300,16 @@ TEST(HasSearchedEmitters, IsTrueOnceTheirErrorIsBelowTheTarget)
     EXPECT_FALSE(HasSearchedEmitters(Equal(4, 0.5, 1.0), 1e-3, 16));
     EXPECT_TRUE(HasSearchedEmitters(Equal(4, 0.5, 0.01), 1e-3, 16)) << "too dim to matter";
     EXPECT_TRUE(HasSearchedEmitters(Equal(16, 0.5, 100.0), 1e-9, 16)) << "believed hidden";
+}
+
+TEST(Neighbourhood, ComparesTheDeviationOfTheBlockWithAllAround)
+{
+    FirstRound own(FirstEstimate(kMiddle, 8, Constant)), left(FirstEstimate(kMiddle, 8, Constant));
+    own.deviation = 4.0, left.deviation = 2.0;
+    FirstRounds rounds = Alone(own);
+    EXPECT_NEAR(Neighbourhood(rounds, Limits(8, 1024, 1e-4)).deviationRatio, 1.0, 1e-12);
+    rounds[3] = &left;
+    EXPECT_NEAR(Neighbourhood(rounds, Limits(8, 1024, 1e-4)).deviationRatio, 0.75, 1e-12);
 }
 
 TEST(Neighbourhood, AveragesFirstRoundsOverTheirPixels)

@@ -96,6 +96,7 @@ void Block::Look(const SamplingLimits& limits, const Tracer& trace)
     if (limits.Denoises())
         round->statistics = StatisticsOf(*first);
     round->spread = sent.Spread(SamplesOf(*first), samples);
+    round->deviation = MeanDeviation(*first, limits);
     estimate = std::move(first);
     firstRound = std::move(round);
 }

@@ -43,13 +43,16 @@ Neighbourhood::Neighbourhood(const FirstRounds& rounds, const SamplingLimits& li
     if (!(limits.variance > 0.0))
         return;  // not used then
     std::size_t pixels = 0;
+    double deviation = 0.0;
     for (const FirstRound* round : rounds)
         if (round != nullptr)
         {
             loneVariance += round->loneVariance * round->pixels;
+            deviation += round->deviation * round->pixels;
             pixels += round->pixels;
         }
     loneVariance /= pixels;
+    deviationRatio = deviation / pixels / rounds[4]->deviation;
 }
 
 } // namespace tilt_lens

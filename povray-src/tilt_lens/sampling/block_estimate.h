@@ -67,6 +67,7 @@ struct BlockEstimate
 struct FirstRound
 {
     std::size_t pixels;
+    double deviation = 1.0;      ///< MeanDeviation()
     double loneVariance = 0.0;   ///< mean excess of a pixel's variance over its eight neighbours' sum; relative
     std::shared_ptr<const BlockStatistics> statistics;  ///< null: no denoising
     std::shared_ptr<const SpreadSums> spread;           ///< null: none
@@ -81,6 +82,7 @@ struct Neighbourhood
 {
     const FirstRounds rounds;  ///< must outlive this object
     double loneVariance = 0.0;  ///< mean over all pixels
+    double deviationRatio = 1.0;  ///< mean FirstRound::deviation over all pixels, over that of the block in the middle
 
     Neighbourhood(const FirstRounds& rounds, const SamplingLimits& limits);
 };

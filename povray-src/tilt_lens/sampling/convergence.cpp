@@ -52,25 +52,32 @@ std::vector<double> SharedExcess(const BlockEstimate& estimate)
     return excess;
 }
 
-/// Greatest excess with which each pixel converges. A block has the mean variance V with the fewest samples if each pixel's variance is in
-/// proportion to the standard deviation of one of its samples.
-/// @param least  samples of the first round, which no pixel can save
-std::vector<double> AllowedExcess(const BlockEstimate& estimate, const std::vector<double>& excess, std::uint32_t least)
+/// Standard deviation of one sample, as defined for MeanDeviation().
+/// @param samples  with which the pixel has this excess, over those of the first round
+double Deviation(double excess, double samples)
+{
+    return std::sqrt(std::max(1.0, excess * samples));  // 1 for NaN
+}
+
+/// Greatest excess with which each pixel converges. The mean variance is V with the fewest samples if each pixel's variance is in proportion
+/// to the standard deviation of one of its samples.
+std::vector<double> AllowedExcess(const BlockEstimate& estimate, const std::vector<double>& excess, double firstSamples,
+                                  double deviationRatio)
 {
     std::vector<double> allowed;
-    for (std::size_t i = 0; i < excess.size(); i++)  // std::max ignores NaN as its second argument
-        allowed.push_back(std::sqrt(std::max(double(least), excess[i] * estimate.pixels[i].statistics.Samples())));
-    const double mean = std::accumulate(allowed.begin(), allowed.end(), 0.0) / allowed.size();
+    for (std::size_t i = 0; i < excess.size(); i++)
+        allowed.push_back(Deviation(excess[i], estimate.pixels[i].statistics.Samples() / firstSamples));
+    const double mean = deviationRatio * std::accumulate(allowed.begin(), allowed.end(), 0.0) / allowed.size();
     for (std::size_t i = 0; i < allowed.size(); i++)
         allowed[i] = std::min(1.0 + estimate.settings.deviationShare * (allowed[i] / mean - 1.0), estimate.GreatestExcess(i));
     return allowed;
 }
 
 /// @param samples  taken by active pixels; those with fewer still catch up
-void Decide(BlockEstimate& estimate, std::uint32_t samples, std::uint32_t least)
+void Decide(BlockEstimate& estimate, const Neighbourhood& around, std::uint32_t samples, std::uint32_t firstSamples)
 {
     const std::vector<double> excess = SharedExcess(estimate);
-    const std::vector<double> allowed = AllowedExcess(estimate, excess, least);
+    const std::vector<double> allowed = AllowedExcess(estimate, excess, firstSamples, around.deviationRatio);
     for (std::size_t i = 0; i < estimate.pixels.size(); i++)
     {
         PixelEstimate& pixel = estimate.pixels[i];
@@ -129,6 +136,18 @@ bool HasSearchedEmitters(const PixelStatistics& own, double target, std::uint32_
     return std::min(1.0, Square(own.ExpectedEmission())) * missed <= target;
 }
 
+double MeanDeviation(const BlockEstimate& first, const SamplingLimits& limits)
+{
+    const std::uint32_t samples = limits.FirstRound();
+    if (!(limits.variance > 0.0) || samples < 2)
+        return 1.0;  // not used then
+    const double target = limits.variance / ConfidenceFactor(samples, limits.confidence);
+    double sum = 0.0;
+    for (const double variance : VariancesToDecide(first, {0, int(first.area.height)}))
+        sum += Deviation(FiniteFloat(variance) / target, 1.0);
+    return sum / first.pixels.size();
+}
+
 bool UpdateConvergence(BlockEstimate& estimate, const Neighbourhood& around, const SamplingLimits& limits, std::uint32_t samples)
 {
     if (samples < 2)
@@ -153,7 +172,7 @@ bool UpdateConvergence(BlockEstimate& estimate, const Neighbourhood& around, con
             PixelEstimate& pixel = estimate.pixels[i];
             pixel.excess = FiniteFloat(std::max((reconstructs ? pixel.residualVarianceRatio : 1.0) * pixel.variance, lone) / target);
         }
-        Decide(estimate, samples, limits.FirstRound());
+        Decide(estimate, around, samples, limits.FirstRound());
     }
     return std::any_of(estimate.pixels.begin(), estimate.pixels.end(),
                        [&limits](const PixelEstimate& pixel) { return pixel.active && pixel.statistics.Samples() < limits.max; });

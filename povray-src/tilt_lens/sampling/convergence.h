@@ -27,6 +27,10 @@ double LoneVariance(double loneVariance, std::uint32_t firstSamples, std::uint32
 /// @param most  emitter samples after which an emitter counts as hidden
 bool HasSearchedEmitters(const PixelStatistics& own, double target, std::uint32_t most);
 
+/// Mean over the pixels of the standard deviation of one sample, over that with which the first round keeps V, and at least 1: no pixel
+/// takes less. Before any reconstruction.
+double MeanDeviation(const BlockEstimate& first, const SamplingLimits& limits);
+
 /// Decides which pixels are active; records variance and excess of those active with `samples` samples.
 /// @return  true if an active pixel is below the maximum number of samples
 bool UpdateConvergence(BlockEstimate& estimate, const Neighbourhood& around, const SamplingLimits& limits, std::uint32_t samples);
