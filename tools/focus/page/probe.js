@@ -17,7 +17,8 @@ export function buildProbe(model, live) {
         describe: form => describe(model, form),
 
         get live() {
-            const { frame, pass, work } = blur, { complete, refined } = live, smooth = live.blurs.every(each => !each.unfinished);
+            const { frame, pass, work } = blur, { complete, refined, scheduled } = live;
+            const smooth = !scheduled && live.blurs.every(each => !each.unfinished);
             return blur.values && frame ? { size: size(), location: frame.location, complete, refined, passes: pass, smooth, work } : null;
         },
 
@@ -25,7 +26,8 @@ export function buildProbe(model, live) {
         set patience(time) {
             for (const each of live.blurs)
                 each.patience = time;
-            live.draw();
+            if (live.blurs.some(each => each.unfinished))
+                live.draw();
         },
 
         get drawings() {
