@@ -18,9 +18,9 @@ using Field = std::variant<double Settings::*, float Settings::*, std::uint32_t 
 
 #define FIELD(name) {#name, Field(&Settings::name)}
 const std::map<std::string, Field> fields = {
-    FIELD(halfRounds),           FIELD(varianceRatioPrior), FIELD(lensPointBlur),  FIELD(emitterShare),     FIELD(emittersOfPixel),
-    FIELD(hiddenEmitterSamples), FIELD(greatestRisk),       FIELD(chanceRisk),     FIELD(mostSentSamples),  FIELD(spreadWeight),
-    FIELD(missedWeight),         FIELD(forecasts),          FIELD(deviationShare), FIELD(samplesPerTarget),
+    FIELD(halfRounds),           FIELD(varianceRatioPrior), FIELD(lensPointBlur),  FIELD(emitterShare),    FIELD(emittersOfPixel),
+    FIELD(hiddenEmitterSamples), FIELD(greatestRisk),       FIELD(chanceRisk),     FIELD(mostSentSamples), FIELD(spreadWeight),
+    FIELD(missedWeight),         FIELD(forecasts),          FIELD(deviationShare),
 };
 #undef FIELD
 

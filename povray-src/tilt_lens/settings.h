@@ -14,7 +14,7 @@
 namespace tilt_lens
 {
 
-/// A constant is `static constexpr` if it sizes arrays or affects no picture; the ablation varies the others.
+/// The ablation varies constants that are not `static constexpr`.
 struct Settings
 {
     /// @name Windows and blocks, in pixels unless said otherwise
@@ -76,8 +76,8 @@ struct Settings
     /// @{
     /// Share of the target in proportion to a pixel's standard deviation; the rest is equal.
     double deviationShare = 0.5;
-    /// A target is at most V for each of as many samples of the pixel, and may always be V.
-    double samplesPerTarget = 48.0;
+    /// A pixel with n samples has a target of at most V n over this number, or of V if that is more.
+    static constexpr double samplesPerTarget = 48.0;
     /// @}
 
     /// @name Emitter sampling (section 4)

@@ -303,7 +303,8 @@ TEST(TileSamplerStop, NonFiniteSamplesAreBlackAndCounted)
         {
             // sums round otherwise: samples after one that is not finite are added one by one
             EXPECT_EQ(results[i].samples, expected[i].samples) << bad;
-            EXPECT_NEAR(results[i].mean[0], expected[i].mean[0], 1e-6) << bad;
+            for (std::size_t c = 0; c < results[i].mean.size(); c++)
+                EXPECT_NEAR(results[i].mean[c], expected[i].mean[c], 1e-6) << bad;
             EXPECT_NEAR(results[i].variance, expected[i].variance, 1e-5 * expected[i].variance) << bad;
         }
         EXPECT_EQ(brokenTile.Statistics().notFinite, results[3 * Settings::blockSide + 2].samples / 8) << bad;

@@ -58,7 +58,10 @@ struct BlockEstimate
     double SharedPart(std::size_t pixel) const { return spread ? 1.0 - spread->ownShare[PlaceOf(pixel)] : 0.0; }
     std::size_t PlaceOf(std::size_t pixel) const { return PaddedBlock::At(int(pixel % area.width), int(pixel / area.width)); }
     /// Greatest excess with which a pixel may converge.
-    double GreatestExcess(std::size_t pixel) const { return std::max(1.0, pixels[pixel].statistics.Samples() / settings.samplesPerTarget); }
+    double GreatestExcess(std::size_t pixel) const
+    {
+        return std::max(1.0, pixels[pixel].statistics.Samples() / Settings::samplesPerTarget);
+    }
     /// False if each pixel's samples are equal and none were received.
     bool HasNoise() const;
 };

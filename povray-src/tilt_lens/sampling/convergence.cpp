@@ -52,6 +52,12 @@ std::vector<double> SharedExcess(const BlockEstimate& estimate)
     return excess;
 }
 
+/// Variance of a mean of so many samples that is aimed at.
+double TargetOf(const SamplingLimits& limits, std::uint32_t samples)
+{
+    return limits.variance / ConfidenceFactor(samples, limits.confidence);
+}
+
 /// Standard deviation of one sample, as defined for MeanDeviation().
 /// @param samples  with which the pixel has this excess, over those of the first round
 double Deviation(double excess, double samples)
@@ -141,7 +147,7 @@ double MeanDeviation(const BlockEstimate& first, const SamplingLimits& limits)
     const std::uint32_t samples = limits.FirstRound();
     if (!(limits.variance > 0.0) || samples < 2)
         return 1.0;  // not used then
-    const double target = limits.variance / ConfidenceFactor(samples, limits.confidence);
+    const double target = TargetOf(limits, samples);
     double sum = 0.0;
     for (const double variance : VariancesToDecide(first, {0, int(first.area.height)}))
         sum += Deviation(FiniteFloat(variance) / target, 1.0);
@@ -153,7 +159,7 @@ bool UpdateConvergence(BlockEstimate& estimate, const Neighbourhood& around, con
     if (samples < 2)
         return samples < limits.max;  // one sample shows no error
     const std::vector<std::size_t> candidates = Candidates(estimate, samples);
-    const double target = limits.variance / ConfidenceFactor(samples, limits.confidence);
+    const double target = TargetOf(limits, samples);
     const double lone = LoneVariance(around.loneVariance, limits.FirstRound(), samples);
     const Rows sampled = Rows::Of(candidates, estimate.area.width);
     const std::vector<double> variances = VariancesToDecide(estimate, sampled.Grown(Settings::neighbourRadius, int(estimate.area.height)));
