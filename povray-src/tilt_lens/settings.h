@@ -116,6 +116,8 @@ struct Settings
     float spreadWeight = 8.0f;
     /// Additional factor of this weight if only other pixels' samples show the noise.
     float missedWeight = 100.0f;
+    /// Correlation of the noise that filters and spread estimates leave; their samples are in part the same. Affects reported errors alone.
+    static constexpr float spreadCorrelation = 0.5f;
     /// The stop rule counts on the reconstruction (section 6). Off in measurements alone.
     bool forecasts = true;
     /// @}

@@ -340,7 +340,7 @@ TEST(Forecast, PredictsWhatTheReconstructionLeavesOfEvenNoise)
         pixel.target = 0.5 * pixel.variance;
     }
     ASSERT_TRUE(UpdateForecast(block.estimate, AllPixels(), block.around, block.limits, 8));
-    EXPECT_LT(block.estimate.pixels[100].residualVarianceRatio, 0.5);
+    EXPECT_LT(block.estimate.pixels[100].residualVarianceBound, 0.5);
 }
 
 TEST(Forecast, IsSkippedWhereItSavesNoPixel)
@@ -350,9 +350,9 @@ TEST(Forecast, IsSkippedWhereItSavesNoPixel)
     pixel.variance = 4e-4f;
     pixel.target = 1e-3f;  // converged without it
     EXPECT_FALSE(UpdateForecast(block.estimate, {100}, block.around, block.limits, 8));
-    pixel.target = 0.9f * pixel.residualVarianceRatio * pixel.variance;  // active even with the least ratio
+    pixel.target = 0.9f * pixel.residualVarianceBound * pixel.variance;  // active even with the least ratio
     EXPECT_FALSE(UpdateForecast(block.estimate, {100}, block.around, block.limits, 8));
-    pixel.target = 1.1f * pixel.residualVarianceRatio * pixel.variance;
+    pixel.target = 1.1f * pixel.residualVarianceBound * pixel.variance;
     EXPECT_TRUE(UpdateForecast(block.estimate, {100}, block.around, block.limits, 8));
 }
 

@@ -95,8 +95,8 @@ TEST(Reconstruction, RemovesNoiseOfSmoothAreasAndReportsTheRest)
         {
             const Errors e = ErrorsOf([&](int x, int y) { return 0.5 + slope * (x - y); }, variance);
             EXPECT_LT(e.after, 0.25 * e.before) << variance << ", " << slope;
-            EXPECT_GT(e.claimed, 0.5 * e.after) << variance << ", " << slope;
-            EXPECT_LT(e.claimed, 0.5 * e.before) << variance << ", " << slope;
+            EXPECT_GT(e.claimed, 0.8 * e.after) << variance << ", " << slope;
+            EXPECT_LT(e.claimed, 1.2 * e.after) << variance << ", " << slope;
         }
 }
 
@@ -111,8 +111,9 @@ TEST(Reconstruction, ReportsRemainingNoiseAndBias)
             const auto waves = [&](int x, int y)
             { return 0.5 + amplitude * std::sin(6.2832 * x / length) * std::sin(6.2832 * y / length); };
             const Errors e = ErrorsOf(waves, variance);
-            EXPECT_GT(e.claimed, 0.75 * e.after) << length << ", " << height;
-            EXPECT_LT(e.claimed, 2.2 * e.after) << length << ", " << height;
+            // less than 1, because the weights depend on the noise
+            EXPECT_GT(e.claimed, 0.6 * e.after) << length << ", " << height;
+            EXPECT_LT(e.claimed, 1.2 * e.after) << length << ", " << height;
             least = std::min(least, e.after / e.before);
             greatest = std::max(greatest, e.after / e.before);
         }

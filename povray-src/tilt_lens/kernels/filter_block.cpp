@@ -112,26 +112,26 @@ class FilteredRows
     }
 };
 
-/// Variance of filtered white noise of variance 1.
-constexpr float NoiseLeftBy(Filter filter)
-{
-    float sum = kTaps[filter][0] * kTaps[filter][0];
-    for (int i = 1; i <= Settings::filterRadius; i++)
-        sum += 2.0f * kTaps[filter][i] * kTaps[filter][i];
-    return sum;
-}
-
-template<int kChannels, Filter kAcross, Filter kDown, int kSlant>
+template<int kChannels, int kNumber>
 struct ProductFilter
 {
     const FilteredRows<kChannels>& rows;
 
-    static constexpr float CentreTap(int) { return kTaps[kAcross][0] * kTaps[kDown][0]; }
-    static constexpr float Preference(int) { return 1.0f; }
-    static float DeviationLeft(int) { return SquareRoot(NoiseLeftBy(kAcross) * NoiseLeftBy(kDown)); }
+    static constexpr FilterPair pair = kBank[kNumber];
+    static constexpr float centreTap = TapOf(pair, 0, 0);
 
-    TILT_LENS_INLINED Floats Mean(int c, int i) const { return Filtered<Floats, kDown>(&rows.Mean(kAcross, c)[i], kColumns + kSlant); }
+    static constexpr float CentreTap(int) { return centreTap; }
+    static constexpr float Preference(int) { return 1.0f; }
+    static float DeviationLeft(int) { return SquareRoot(kCovariances.of[kNumber][kNumber]); }
+
+    TILT_LENS_INLINED Floats Mean(int c, int i) const
+    {
+        return Filtered<Floats, pair.down>(&rows.Mean(pair.across, c)[i], kColumns + pair.slant);
+    }
 };
+
+template<bool kCorrected>
+class SpreadCandidate;
 
 template<int kChannels>
 class RiskWeightedMean
@@ -152,23 +152,16 @@ class RiskWeightedMean
         MeanAround<Settings::nearRiskRadius>(noises, around, noiseNear);
     }
 
-    /// @param candidate  linear estimate from index i on; CentreTap(i) is the tap of the pixel itself, DeviationLeft(i) the remaining
-    ///                   standard deviation, Preference(i) a factor of its weight
-    template<class Candidate>
-    TILT_LENS_INLINED void Add(const Candidate& candidate)
+    template<int kNumber>
+    TILT_LENS_INLINED void Add(const ProductFilter<kChannels, kNumber>& filter)
     {
-        FindRisk(candidate);
-        MeanAround<Settings::riskRadius>(limited, around, riskAround);
-        MeanAround<Settings::nearRiskRadius>(risk, around, riskNear);
-        wanted.ForEach([&](int i) TILT_LENS_INLINED_LAMBDA
-        {
-            const Floats weight = candidate.Preference(i) * WeightOf(i);
-            Store(&weights[i], Load<Floats>(&weights[i]) + weight);
-            Store(&deviationLeft[i], Load<Floats>(&deviationLeft[i]) + weight * candidate.DeviationLeft(i));
-            Store(&centreTap[i], Load<Floats>(&centreTap[i]) + weight * candidate.CentreTap(i));
-            for (int c = 0; c < kChannels; c++)
-                Store(&means[c][i], Load<Floats>(&means[c][i]) + weight * Load<Floats>(&filtered[c][i]));
-        });
+        Add(filter, [&](int i, const Floats& weight) TILT_LENS_INLINED_LAMBDA { Store(&bankWeights[kNumber][i], weight); });
+    }
+    template<bool kCorrected>
+    TILT_LENS_INLINED void Add(const SpreadCandidate<kCorrected>& candidate)
+    {
+        Add(candidate, [&](int i, const Floats& weight) TILT_LENS_INLINED_LAMBDA
+        { Store(&spreadDeviation[i], Load<Floats>(&spreadDeviation[i]) + weight * candidate.DeviationLeft(i)); });
     }
 
     float MeanOf(int c, int i) const
@@ -180,10 +173,21 @@ class RiskWeightedMean
         const float mean = Max(Min(own, 0.0f), means[c][i] / weights[i]);
         return c < 3 ? mean : Min(Max(own, 1.0f), mean);
     }
-    float NoiseLeftOf(int i) const
+    /// Upper bound of the variance that is left of noise of variance 1.
+    float NoiseBoundOf(int i) const
     {
         const float deviation = weights[i] > 0.0f ? deviationLeft[i] / weights[i] : 1.0f;
         return deviation * deviation;
+    }
+    /// Estimate of the same.
+    TILT_LENS_INLINED void FindNoiseLeft(Plane& left) const
+    {
+        wanted.ForEach([&](int i) TILT_LENS_INLINED_LAMBDA
+        {
+            const Floats bank = VarianceOfBank(i), spread = Load<Floats>(&spreadDeviation[i]), all = Load<Floats>(&weights[i]);
+            const Floats both = bank + spread * spread + 2.0f * Settings::spreadCorrelation * SquareRoot(bank) * spread;
+            Store(&left[i], all > Floats() ? both / (all * all) : Floats() + 1.0f);
+        });
     }
     /// Over the noise: mean risk of the block.
     float Risk() const
@@ -212,9 +216,31 @@ class RiskWeightedMean
     const Part risky, wanted;
     const float leastRisk;  ///< over the noise
     Plane units, noises, noiseAround, noiseNear, risk, limited, riskAround, riskNear;
+    Plane bankWeights[kFiltersOfBank], spreadDeviation{};
     Plane weights{}, deviationLeft{}, centreTap{};
     Plane means[kChannels]{};
     Plane filtered[kChannels];  ///< means of the candidate that is added
+
+    /// @param candidate  linear estimate from index i on; CentreTap(i) is the tap of the pixel itself, DeviationLeft(i) the remaining
+    ///                   standard deviation, Preference(i) a factor of its weight
+    /// @param keep       receives i and the weights
+    template<class Candidate, class Keep>
+    TILT_LENS_INLINED void Add(const Candidate& candidate, const Keep& keep)
+    {
+        FindRisk(candidate);
+        MeanAround<Settings::riskRadius>(limited, around, riskAround);
+        MeanAround<Settings::nearRiskRadius>(risk, around, riskNear);
+        wanted.ForEach([&](int i) TILT_LENS_INLINED_LAMBDA
+        {
+            const Floats weight = candidate.Preference(i) * WeightOf(i);
+            Store(&weights[i], Load<Floats>(&weights[i]) + weight);
+            Store(&deviationLeft[i], Load<Floats>(&deviationLeft[i]) + weight * candidate.DeviationLeft(i));
+            keep(i, weight);
+            Store(&centreTap[i], Load<Floats>(&centreTap[i]) + weight * candidate.CentreTap(i));
+            for (int c = 0; c < kChannels; c++)
+                Store(&means[c][i], Load<Floats>(&means[c][i]) + weight * Load<Floats>(&filtered[c][i]));
+        });
+    }
 
     template<class Candidate>
     TILT_LENS_INLINED void FindRisk(const Candidate& candidate)
@@ -235,6 +261,20 @@ class RiskWeightedMean
             Store(&risk[i], whole);
             Store(&limited[i], Min(whole, around.settings.greatestRisk * noise));
         });
+    }
+
+    /// Of the sum of filtered noise of variance 1, times the weights.
+    TILT_LENS_INLINED Floats VarianceOfBank(int i) const
+    {
+        Floats variance = Floats();
+        for (int a = 0; a < kFiltersOfBank; a++)
+        {
+            Floats sum = kCovariances.of[a][a] * Load<Floats>(&bankWeights[a][i]);
+            for (int b = 0; b < a; b++)
+                sum += 2.0f * kCovariances.of[a][b] * Load<Floats>(&bankWeights[b][i]);
+            variance += sum * Load<Floats>(&bankWeights[a][i]);
+        }
+        return Max(variance, Floats());
     }
 
     TILT_LENS_INLINED Floats WeightOf(int i) const
@@ -262,7 +302,7 @@ class SpreadCandidate
             const float others = spread.samples[i], noise = around.noise[i];
             const float noiseOfOthers = others > 0.0f && noise > 0.0f ? Min(spread.variance[i] / (others * noise), 1.0f) : 1.0f;
             const float left = ownTap[i] * ownTap[i] + (1.0f - ownTap[i]) * (1.0f - ownTap[i]) * noiseOfOthers;
-            deviationLeft[i] = SquareRoot(left + (kCorrected ? NoiseLeftBy(kMean9) * NoiseLeftBy(kMean9) : 0.0f));
+            deviationLeft[i] = SquareRoot(left + (kCorrected ? mean9Tap : 0.0f));
             weight[i] = around.settings.spreadWeight * (1.0f + around.settings.missedWeight * around.missed[i]);
         }
         for (int c = 0; c < 3; c++)
@@ -270,10 +310,7 @@ class SpreadCandidate
     }
 
     TILT_LENS_INLINED Floats Mean(int c, int i) const { return Load<Floats>(&means[c][i]); }
-    TILT_LENS_INLINED Floats CentreTap(int i) const
-    {
-        return Load<Floats>(&ownTap[i]) + (kCorrected ? kTaps[kMean9][0] * kTaps[kMean9][0] : 0.0f);
-    }
+    TILT_LENS_INLINED Floats CentreTap(int i) const { return Load<Floats>(&ownTap[i]) + (kCorrected ? mean9Tap : 0.0f); }
     TILT_LENS_INLINED Floats DeviationLeft(int i) const { return Load<Floats>(&deviationLeft[i]); }
     /// Favours other pixels' samples, more where the pixel's own missed something.
     TILT_LENS_INLINED Floats Preference(int i) const
@@ -283,6 +320,8 @@ class SpreadCandidate
     }
 
   private:
+    static constexpr float mean9Tap = kTaps[kMean9][0] * kTaps[kMean9][0];  ///< also the variance that it leaves
+
     Plane ownTap, deviationLeft, weight;
     Plane means[3];
 
@@ -305,10 +344,11 @@ class SpreadCandidate
     }
 };
 
-template<int kChannels, std::size_t... kNumber>
-TILT_LENS_INLINED void AddBank(RiskWeightedMean<kChannels>& mean, const FilteredRows<kChannels>& rows, std::index_sequence<kNumber...>)
+template<int kChannels, int... kNumber>
+TILT_LENS_INLINED void AddBank(RiskWeightedMean<kChannels>& mean, const FilteredRows<kChannels>& rows,
+                               std::integer_sequence<int, kNumber...>)
 {
-    (mean.Add(ProductFilter<kChannels, kBank[kNumber].across, kBank[kNumber].down, kBank[kNumber].slant>{rows}), ...);
+    (mean.Add(ProductFilter<kChannels, kNumber>{rows}), ...);
 }
 
 template<int kChannels>
@@ -316,19 +356,22 @@ TILT_LENS_INLINED void FilterChannels(const FilterInput& around, const FilterOut
 {
     RiskWeightedMean<kChannels> mean(around);
     const FilteredRows<kChannels> filteredRows(around, mean.Risky());
-    AddBank(mean, filteredRows, std::make_index_sequence<std::size(kBank)>());
+    AddBank(mean, filteredRows, std::make_integer_sequence<int, kFiltersOfBank>());
     if (kChannels == 3 && around.spread != nullptr)
     {
         mean.Add(SpreadCandidate<false>(around, mean.Risky()));
         mean.Add(SpreadCandidate<true>(around, mean.Risky()));
     }
     const float risk = mean.Risk();
+    Plane noiseLeft;
+    mean.FindNoiseLeft(noiseLeft);
     for (int i = 0; i < kPixels; i++)
     {
         const int at = At(i % kSide, i / kSide);
         for (int c = 0; c < kChannels; c++)
             block.mean[c][i] = mean.MeanOf(c, at);
-        block.residualVarianceRatio[i] = Min(Max(risk, mean.NoiseLeftOf(at)), 1.0f);
+        block.residualVarianceBound[i] = Min(Max(risk, mean.NoiseBoundOf(at)), 1.0f);
+        block.residualVarianceRatio[i] = Min(Max(risk, noiseLeft[at]), 1.0f);
     }
 }
 
@@ -350,7 +393,7 @@ void EstimateSpread(const FilterInput& input, const FilterOutput& output)
         const int at = At(i % kSide, i / kSide);
         for (int c = 0; c < 5; c++)
             output.mean[c][i] = c < 3 && input.channels == 3 ? estimate.Mean(c, at)[0] : input.mean[c][at];
-        output.residualVarianceRatio[i] = 1.0f;
+        output.residualVarianceBound[i] = output.residualVarianceRatio[i] = 1.0f;
     }
 }
 

@@ -116,7 +116,7 @@ bool AddRadiances(const SampleResult* results, std::uint32_t ofFirstBuffer, std:
 {
     const SampleResult *const middle = results + ofFirstBuffer, *const end = results + count;
     const auto isOther = [&](const SampleResult* result) TILT_LENS_INLINED_LAMBDA { return (result->expectedEmission > 0.0) != emitters; };
-    const auto radiance = [&] TILT_LENS_INLINED_LAMBDA { return reinterpret_cast<const double*>(&results->radiance); };
+    const auto radiance = [&]() TILT_LENS_INLINED_LAMBDA { return reinterpret_cast<const double*>(&results->radiance); };
     while (results < end && isOther(results))
         results++;
     if (results == end)

@@ -28,7 +28,7 @@ struct FilterInput
 
 struct FilterOutput
 {
-    float *mean[5], *residualVarianceRatio;
+    float *mean[5], *residualVarianceBound, *residualVarianceRatio;
 };
 
 } // namespace tilt_lens

@@ -10,6 +10,8 @@
 #ifndef TILT_LENS_FILTERS_H
 #define TILT_LENS_FILTERS_H
 
+#include <iterator>
+
 #include "tilt_lens/math/simd.h"
 #include "tilt_lens/reconstruction/block_statistics.h"
 
@@ -50,6 +52,37 @@ constexpr FilterPair kBank[] = {
     {kFit5, kFit5}, {kFit9, kFit9}, {kMean9, kMean9},
 };
 // clang-format on
+
+constexpr float TapOf(Filter filter, int distance)
+{
+    const int away = distance < 0 ? -distance : distance;
+    return away > Settings::filterRadius ? 0.0f : kTaps[filter][away];
+}
+
+/// Tap of the pixel (x, y) away from the centre.
+constexpr float TapOf(const FilterPair& pair, int x, int y)
+{
+    return TapOf(pair.down, y) * TapOf(pair.across, x - pair.slant * y);
+}
+
+constexpr int kFiltersOfBank = int(std::size(kBank));
+
+/// Of white noise of variance 1, filtered by two filters of kBank.
+struct Covariances
+{
+    float of[kFiltersOfBank][kFiltersOfBank]{};
+
+    constexpr Covariances()
+    {
+        constexpr int radius = Settings::filterRadius;  // a slanted filter is a line: it reaches no farther
+        for (int i = 0; i < kFiltersOfBank; i++)
+            for (int j = 0; j < kFiltersOfBank; j++)
+                for (int y = -radius; y <= radius; y++)
+                    for (int x = -radius; x <= radius; x++)
+                        of[i][j] += TapOf(kBank[i], x, y) * TapOf(kBank[j], x, y);
+    }
+};
+constexpr Covariances kCovariances;
 
 /// @param step  1 (a row), PaddedBlock::kColumns (a column), or one more or less (a diagonal)
 template<class Vector, Filter kFilter>

@@ -39,7 +39,7 @@ SpreadInput InputOf(const PaddedSpread& spread)
 
 FilterOutput OutputTo(ReconstructedBlock& block)
 {
-    FilterOutput output{{}, block.residualVarianceRatio.data()};
+    FilterOutput output{{}, block.residualVarianceBound.data(), block.residualVarianceRatio.data()};
     for (int c = 0; c < 5; c++)
         output.mean[c] = block.mean[c].data();
     return output;

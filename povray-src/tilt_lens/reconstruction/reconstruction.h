@@ -25,7 +25,8 @@ inline constexpr Rows kAllRows{0, int(Settings::blockSide)};
 struct ReconstructedBlock
 {
     std::array<BlockPlane, 5> mean;
-    BlockPlane residualVarianceRatio;  ///< fraction of variance that the filters leave, (0, 1]
+    BlockPlane residualVarianceBound;  ///< at most this fraction of variance remains, (0, 1]
+    BlockPlane residualVarianceRatio;  ///< estimate of the same
 
     /// Not finite beside a pixel too bright for a float.
     Radiance MeanOf(std::size_t pixel) const;

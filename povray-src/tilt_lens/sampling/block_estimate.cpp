@@ -11,7 +11,7 @@ namespace tilt_lens
 BlockEstimate::BlockEstimate(const Area& area, const Settings& settings) : area(area), pixels(area.Size()), settings(settings)
 {
     for (PixelEstimate& pixel : pixels)
-        pixel.residualVarianceRatio = 1.0 / settings.greatestRisk;
+        pixel.residualVarianceBound = 1.0 / settings.greatestRisk;
 }
 
 bool BlockEstimate::HasNoise() const

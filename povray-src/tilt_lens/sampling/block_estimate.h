@@ -30,7 +30,7 @@ struct PixelEstimate
     float variance = 0.0f;       ///< DecisiveVariance() of the mean, relative to SquaredScale
     float target = 0.0f;         ///< variance target, at the last decision
     float excess = 0.0f;         ///< variance after the reconstruction over the target, at the last decision
-    float residualVarianceRatio = 1.0f;  ///< predicted by the last forecast
+    float residualVarianceBound = 1.0f;  ///< predicted by the last forecast
     bool active = true;
 };
 

@@ -176,7 +176,7 @@ bool UpdateConvergence(BlockEstimate& estimate, const Neighbourhood& around, con
         for (const std::size_t i : candidates)
         {
             PixelEstimate& pixel = estimate.pixels[i];
-            pixel.excess = FiniteFloat(std::max((reconstructs ? pixel.residualVarianceRatio : 1.0) * pixel.variance, lone) / target);
+            pixel.excess = FiniteFloat(std::max((reconstructs ? pixel.residualVarianceBound : 1.0) * pixel.variance, lone) / target);
         }
         Decide(estimate, around, samples, limits.FirstRound());
     }

@@ -23,7 +23,7 @@ std::size_t PlaneIndex(const BlockEstimate& estimate, std::size_t pixel)
 }
 
 /// Includes the neighbours after the first round only: later their greater noise would be taken for the block's error.
-BlockPlane ForecastRatios(BlockEstimate& estimate, const Neighbourhood& around, const Rows& rows, std::uint32_t samples,
+BlockPlane ForecastBounds(BlockEstimate& estimate, const Neighbourhood& around, const Rows& rows, std::uint32_t samples,
                           bool afterFirstRound)
 {
     UpdateBlockStatistics(estimate, samples);
@@ -31,7 +31,7 @@ BlockPlane ForecastRatios(BlockEstimate& estimate, const Neighbourhood& around, 
     if (afterFirstRound)
         known = EachOf<BlockStatistics>(around.rounds, &FirstRound::statistics);
     known[4] = estimate.statistics.get();
-    return Reconstruct(PaddedBlock(known), estimate.settings, estimate.spread.get(), rows).residualVarianceRatio;
+    return Reconstruct(PaddedBlock(known), estimate.settings, estimate.spread.get(), rows).residualVarianceBound;
 }
 
 /// Variance of one sample, summed over the channels: mean of the 3 by 3 window within the block.
@@ -77,19 +77,19 @@ void UpdateBlockStatistics(BlockEstimate& estimate, std::uint32_t samples)
 bool UpdateForecast(BlockEstimate& estimate, const std::vector<std::size_t>& candidates, const Neighbourhood& around,
                     const SamplingLimits& limits, std::uint32_t samples)
 {
-    // The last round's ratio is optimistic, since the ratio rises as noise falls: no forecast if even it saves no pixel.
+    // The last round's bound is optimistic, since bounds rise as noise falls: no forecast if even it saves no pixel.
     const bool saves = std::any_of(candidates.begin(), candidates.end(), [&estimate](std::size_t i)
     {
         const PixelEstimate& pixel = estimate.pixels[i];
         return pixel.variance > pixel.target * (1.0 - estimate.settings.deviationShare) &&
-               pixel.residualVarianceRatio * pixel.variance <= pixel.target * estimate.GreatestExcess(i);
+               pixel.residualVarianceBound * pixel.variance <= pixel.target * estimate.GreatestExcess(i);
     });
     if (!saves)
         return false;
     const Rows rows = Rows::Of(candidates, estimate.area.width);
-    const BlockPlane ratios = ForecastRatios(estimate, around, rows, samples, samples == limits.FirstRound());
+    const BlockPlane bounds = ForecastBounds(estimate, around, rows, samples, samples == limits.FirstRound());
     for (const std::size_t i : candidates)
-        estimate.pixels[i].residualVarianceRatio = ratios[PlaneIndex(estimate, i)];
+        estimate.pixels[i].residualVarianceBound = bounds[PlaneIndex(estimate, i)];
     return true;
 }
 
