@@ -263,7 +263,7 @@ class RiskWeightedMean
         });
     }
 
-    /// Of the sum of filtered noise of variance 1, times the weights.
+    /// Variance of the bank's weighted sum of noise of variance 1.
     TILT_LENS_INLINED Floats VarianceOfBank(int i) const
     {
         Floats variance = Floats();
@@ -363,7 +363,7 @@ TILT_LENS_INLINED void FilterChannels(const FilterInput& around, const FilterOut
         mean.Add(SpreadCandidate<true>(around, mean.Risky()));
     }
     const float risk = mean.Risk();
-    Plane noiseLeft;
+    Plane noiseLeft{};
     mean.FindNoiseLeft(noiseLeft);
     for (int i = 0; i < kPixels; i++)
     {

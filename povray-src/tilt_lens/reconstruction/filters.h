@@ -67,7 +67,7 @@ constexpr float TapOf(const FilterPair& pair, int x, int y)
 
 constexpr int kFiltersOfBank = int(std::size(kBank));
 
-/// Of white noise of variance 1, filtered by two filters of kBank.
+/// White noise of variance 1, filtered by two filters of kBank, has these covariances.
 struct Covariances
 {
     float of[kFiltersOfBank][kFiltersOfBank]{};
