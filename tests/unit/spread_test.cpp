@@ -344,7 +344,7 @@ TEST(Reconstruction, SpreadSamplesRemoveMoreNoiseThanFilters)
 {
     const LensFootprint lens(RoundLens(), Aperture::Disc(), kWidth, kHeight);
     Random random(9);
-    double without = 0.0, with = 0.0;
+    double without = 0.0, with = 0.0, reported = 0.0;
     for (int picture = 0; picture < 20; picture++)
     {
         std::array<BlockStatistics, 9> statistics;
@@ -368,8 +368,12 @@ TEST(Reconstruction, SpreadSamplesRemoveMoreNoiseThanFilters)
             without += Square(value - 0.5);
         for (float value : spread.mean[0])
             with += Square(value - 0.5);
+        for (float ratio : spread.residualVarianceRatio)
+            reported += ratio / 24.0;
     }
     EXPECT_LT(with, 0.5 * without);
+    EXPECT_GT(reported, 0.8 * with);
+    EXPECT_LT(reported, 2.0 * with);  // a block's least risk is noisy
 }
 
 } // namespace
