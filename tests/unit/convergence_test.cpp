@@ -350,7 +350,7 @@ TEST(Forecast, IsSkippedWhereItSavesNoPixel)
     pixel.variance = 4e-4f;
     pixel.target = 1e-3f;  // converged without it
     EXPECT_FALSE(UpdateForecast(block.estimate, {100}, block.around, block.limits, 8));
-    pixel.target = 0.9f * pixel.residualVarianceBound * pixel.variance;  // active even with the least ratio
+    pixel.target = 0.9f * pixel.residualVarianceBound * pixel.variance;  // active even with the least bound
     EXPECT_FALSE(UpdateForecast(block.estimate, {100}, block.around, block.limits, 8));
     pixel.target = 1.1f * pixel.residualVarianceBound * pixel.variance;
     EXPECT_TRUE(UpdateForecast(block.estimate, {100}, block.around, block.limits, 8));

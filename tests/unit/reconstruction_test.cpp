@@ -54,7 +54,7 @@ PaddedBlock Make(const std::function<Pixel(int, int)>& pixel)
 
 struct Errors
 {
-    double before = 0.0, after = 0.0, claimed = 0.0;
+    double before = 0.0, after = 0.0, claimed = 0.0, bound = 0.0;
 };
 
 Errors ErrorsOf(const std::function<double(int, int)>& truth, double variance)
@@ -72,6 +72,7 @@ Errors ErrorsOf(const std::function<double(int, int)>& truth, double variance)
                 errors.before += std::pow(around.Mean(0)[at] - truth(x, y), 2);
                 errors.after += std::pow(rebuilt.mean[0][i] - truth(x, y), 2);
                 errors.claimed += rebuilt.residualVarianceRatio[i] * around.Noise()[at] / 3.0;
+                errors.bound += rebuilt.residualVarianceBound[i] * around.Noise()[at] / 3.0;
             }
     }
     return errors;
@@ -97,6 +98,8 @@ TEST(Reconstruction, RemovesNoiseOfSmoothAreasAndReportsTheRest)
             EXPECT_LT(e.after, 0.25 * e.before) << variance << ", " << slope;
             EXPECT_GT(e.claimed, 0.8 * e.after) << variance << ", " << slope;
             EXPECT_LT(e.claimed, 1.2 * e.after) << variance << ", " << slope;
+            EXPECT_GT(e.bound, e.claimed) << variance << ", " << slope;
+            EXPECT_LT(e.bound, 0.5 * e.before) << variance << ", " << slope;
         }
 }
 
@@ -111,7 +114,9 @@ TEST(Reconstruction, ReportsRemainingNoiseAndBias)
             const auto waves = [&](int x, int y)
             { return 0.5 + amplitude * std::sin(6.2832 * x / length) * std::sin(6.2832 * y / length); };
             const Errors e = ErrorsOf(waves, variance);
-            // less than 1, because the weights depend on the noise
+            EXPECT_GT(e.bound, 0.75 * e.after) << length << ", " << height;
+            EXPECT_LT(e.bound, 2.2 * e.after) << length << ", " << height;
+            // too little by up to a third, because the weights depend on the noise
             EXPECT_GT(e.claimed, 0.6 * e.after) << length << ", " << height;
             EXPECT_LT(e.claimed, 1.2 * e.after) << length << ", " << height;
             least = std::min(least, e.after / e.before);
