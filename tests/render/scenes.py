@@ -15,12 +15,14 @@ def camera(lens="tilt 4 swing 2 shift <2, -1> blades 5, 10", aperture=0.3, sampl
     return f"camera {{ {view}aperture {aperture} {samples}tilt_lens {{ {lens} }} {tail} }}\n"
 
 
+# With `brilliance 0` a surface has the same radiance at any angle, unless it is parallel to their common direction.
+UNKNOWN_LIGHTS = "".join(f"light_source {{ {side}e6*<1, 2, 3>, rgb 1e-4 shadowless }}\n" for side in (-1, 1))
+
+
 def unknown_glow(red, green, blue):
-    """A texture in which no lamp is sought: colours of a pattern count as white."""
-    colour = f"rgb 1000*<{red:.6g}, {green:.6g}, {blue:.6g}>"
-    return (
-        f"texture {{ pigment {{ gradient x color_map {{ [0 {colour}] [1 {colour}] }} }} finish {{ ambient 0 diffuse 0 emission 0.001 }} }}"
-    )
+    """A texture of even radiance in which no lamp is sought, as it does not glow by itself: in a scene with UNKNOWN_LIGHTS alone."""
+    colour = f"rgb <{red:.6g}, {green:.6g}, {blue:.6g}>"
+    return f"texture {{ pigment {{ {colour} }} finish {{ ambient 0 emission 0 diffuse 1e4 brilliance 0 }} }}"
 
 
 TILTED = camera() + WORLD

@@ -12,14 +12,14 @@ SIZE = {"width": 40, "height": 30}
 
 
 def lamps(glow):
-    return f"""
+    return f"""{scenes.UNKNOWN_LIGHTS}
 #for (I, 0, 5)
   #for (J, -3, 3)
     #declare Place = <J*0.6 + I*0.13, 0.2 + 0.25*I, I*I*0.9 - 2>;
     #switch (mod(I + J + 6, 3))
       #case (0) sphere {{ Place, 0.012 {glow} }} #break
       #case (1) union {{ box {{ Place - 0.01, Place + 0.01 }} sphere {{ Place + 0.1*x, 0.008 }} {glow} }} #break
-      #else light_source {{ Place, rgb 0.001 looks_like {{ sphere {{ 0, 1 scale <0.01, 0.02, 0.01> {glow} }} }} }}
+      #else light_source {{ Place, rgb 0 looks_like {{ sphere {{ 0, 1 scale <0.01, 0.02, 0.01> {glow} }} }} }}
     #end
   #end
 #end
@@ -88,12 +88,7 @@ PLACES = {"periscope": "<-8, 0, 9>"}  # of lamps
 def mirrored(mirror, glow=GLOW, flags=""):
     place = PLACES.get(mirror, "-7*z")
     lamps = "".join(f"sphere {{ {place} + <{x}, {y}, 0>, 0.02 {glow} {flags} }}\n" for x in (-1, 0.3, 1.5) for y in (0.4, 1.7))
-    return (
-        lambda samples: scenes.camera("scene_unit 100 denoise off", 0.4, samples)
-        + MIRRORS[mirror]
-        + lamps
-        + "light_source { 50*y, rgb 0.01 }"
-    )
+    return lambda samples: scenes.camera("scene_unit 100 denoise off", 0.4, samples) + MIRRORS[mirror] + lamps + scenes.UNKNOWN_LIGHTS
 
 
 class Mirrors(rendering.RenderTest):
@@ -145,6 +140,80 @@ class Highlights(rendering.RenderTest):
                 )
                 errors = [sum((a - b) ** 2 for a, b in zip(picture.values, exact.values)) for picture in (known, unknown)]
                 self.assertGreater(errors[1], 1.5 * errors[0])
+
+
+PATTERN = "texture { pigment { gradient x color_map { [0 rgb 1000*<30, 24, 15>] [1 rgb 1000*<30, 24, 15>] } } finish { ambient 0 diffuse 0 emission 1e-3 } }"
+SIX = [(x, y) for x in (-3, 0.5, 4) for y in (-1, 2)]
+
+
+def six(glow, z=8, radius=0.15):
+    return "".join(f"sphere {{ <{x}, {y}, {z}>, {radius} {glow} }}\n" for x, y in SIX)
+
+
+SKY = (
+    "sky_sphere { pigment { function { select(pow(x*12 - floor(x*12) - 0.5, 2) + pow(y*12 - floor(y*12) - 0.5, 2) - 0.003, 1, 0) }"
+    " color_map { [0.5 rgb 0] [0.5 rgb 30] } } emission 1 }\n"
+)
+WINDOWS = (
+    "plane { -z, -8 pigment { image_map { function 96, 64 { select(pow(mod(12*x, 1) - 0.5, 2) + pow(mod(8*y, 1) - 0.5, 2) - 0.03, 1, 0) }"
+    " once } scale <12, 8, 1> translate <-6, -4, 0> } finish { ambient 0 emission 20 diffuse 0 } }\n"
+)
+PANE = "box { <-20, -12, -1>, <20, 12, 1> pigment { rgbt 1 } finish { diffuse 0 } interior { ior 1.5 } rotate 40*y translate 4*z }\n"
+
+
+class Searched(rendering.RenderTest):
+    """Lamps that no list of objects tells are found in a sharp picture."""
+
+    def scene(self, world, samples="blur_samples 16, 256 variance 1/2000 ", lens="scene_unit 100"):
+        return scenes.camera(lens, 2, samples) + scenes.UNKNOWN_LIGHTS + world
+
+    def found(self, world, *scene):
+        said = rendering.render_and_listen(self.scene(world, *scene), **SIZE)[1]
+        searched = re.search(r"^  Lamps searched\.+(\d+) rays?, (\d+) found$", said, re.M)
+        return [int(number) for number in searched.groups()] if searched else None
+
+    def test_all_are_found(self):
+        self.assertEqual(self.found(six(PATTERN))[1], 6)
+        self.assertGreaterEqual(self.found(PANE + six(GLOW, 14, 0.3))[1], 3)  # others appear where they are
+        self.assertGreater(self.found(SKY)[1], 60)  # of 94
+        self.assertGreater(self.found(WINDOWS)[1], 20)  # of 39
+
+    def test_found_lamps_have_less_error(self):
+        exact = rendering.render(self.scene(six(GLOW), "blur_samples 1024, 1024 variance 0 "), extension="exr", **SIZE)
+        found, unknown = (
+            rendering.render(self.scene(six(glow), "blur_samples 32, 32 variance 0 "), extension="exr", **SIZE)
+            for glow in (PATTERN, UNKNOWN)
+        )
+        errors = [sum((a - b) ** 2 for a, b in zip(picture.values, exact.values)) for picture in (found, unknown)]
+        self.assertGreater(errors[1], 10.0 * errors[0])
+
+    def test_threads_tiles_and_parts(self):
+        self.assert_same_in_parts(self.scene(PANE + six(GLOW) + SKY), first=9, last=20, **SIZE)
+
+    def test_nothing_is_searched_in_vain(self):
+        for world in (
+            six(PATTERN).replace("1e-3", "1e-4"),
+            six(GLOW) + SKY.replace("rgb 30", "rgb 3"),
+            WINDOWS.replace("emission 20", "emission 3"),
+            PANE + six(GLOW.replace("emission 30", "emission 3")),
+            PANE.replace("ior 1.5", "ior 1") + six(GLOW),
+        ):
+            self.assertIsNone(self.found(world), world)
+        for samples, lens in (
+            ("blur_samples 2, 16 ", "scene_unit 100"),
+            ("blur_samples 64 ", "focus_map"),
+            ("blur_samples 64 normal { bumps 1e-5 } ", "scene_unit 100"),
+        ):
+            self.assertIsNone(self.found(six(PATTERN), samples, lens), samples + lens)
+
+    def test_a_few_rays_tell_that_there_is_none(self):
+        even = "plane { -z, -8 pigment { gradient x color_map { [0 rgb 10] [1 rgb 10] } } finish { ambient 0 emission 1 diffuse 0 } }\n"
+        rays, lamps = self.found(even)
+        self.assertEqual(lamps, 0)
+        self.assertLess(rays, 2 * SIZE["width"] * SIZE["height"])
+        self.assertGreater(self.found(six(PATTERN))[0], 9 * SIZE["width"] * SIZE["height"])
+        few = self.found(six(PATTERN), "blur_samples 4, 16 variance 1/2000 ")[0]
+        self.assertLess(few, 1.1 * 4 * SIZE["width"] * SIZE["height"], "a quarter of 16, and parts of cells")
 
 
 if __name__ == "__main__":

@@ -57,7 +57,7 @@ def world(number):
         f" finish {{ emission 1 diffuse 0 {'reflection 0.9' if mirrored else ''} }} }}\n"
     )
     lamps = "".join(lamp(r, aperture, mirrored) for _ in range(r.randint(1, 24)))
-    return wall + lamps + "".join(edge(r) for _ in range(r.randint(0, 3))), aperture
+    return wall + scenes.UNKNOWN_LIGHTS + lamps + "".join(edge(r) for _ in range(r.randint(0, 3))), aperture
 
 
 def scene(number, seed, samples=""):

@@ -110,47 +110,28 @@ void BudgetPilot::BeginRound(double variance)
     for (const std::size_t place : Sampled().looked)
         blocks[place] = std::make_unique<Block>(PixelsOf(place), width, height, limits.settings);
     step = 0;
+    tasks.BeginRound(Places().size());
 }
 
 std::optional<BudgetPilot::Task> BudgetPilot::NextTask()
 {
-    std::unique_lock<std::mutex> lock(mutex);
-    changed.wait(lock, [this] { return done || !again.empty() || given < Places().size(); });
-    if (done)
-        return {};
-    if (again.empty())
-        return Task{Places()[given++]};
-    const Task task = again.back();
-    again.pop_back();
-    return task;
+    const std::optional<std::size_t> number = tasks.Next();
+    return number ? Task{*number, Places()[*number]} : std::optional<Task>();
 }
 
 void BudgetPilot::Take(const Task& task, const Tracer& trace)
 {
     SampleRecord& record = *records[task.block];
-    try
-    {
-        blocks[task.block]->TakeStep(step, NeighboursOf(task.block), limits,
-                                     [&](const SampleRun& run, SampleResult* results) { record.GetOrTrace(run, results, trace); });
-    }
-    catch (...)
-    {
-        const std::lock_guard<std::mutex> lock(mutex);
-        again.push_back(task);
-        changed.notify_all();
-        throw;
-    }
-    const std::lock_guard<std::mutex> lock(mutex);
-    if (++ended == Places().size())
-        EndStep();
+    const Tracer recorded([&](const SampleRun& run, SampleResult* results) { record.GetOrTrace(run, results, trace); });
+    tasks.Take(task.number, [&] { blocks[task.block]->TakeStep(step, NeighboursOf(task.block), limits, recorded); }, [this] { EndStep(); });
 }
 
 void BudgetPilot::EndStep()
 {
-    given = ended = 0;
     if (++step == Block::kSteps)
         EndRound();
-    changed.notify_all();
+    else
+        tasks.BeginRound(Places().size());
 }
 
 void BudgetPilot::EndRound()
@@ -179,7 +160,7 @@ void BudgetPilot::EndRound()
         chosen = {UsualVariance(budget), double(limits.max), 0.0, limits.max * last.used / last.samples};
     }
     limits.variance = chosen.variance;
-    done = true;
+    tasks.BeginRound(0);
 }
 
 BudgetRound BudgetPilot::Measure() const

@@ -10,16 +10,15 @@
 #ifndef TILT_LENS_BUDGET_H
 #define TILT_LENS_BUDGET_H
 
-#include <condition_variable>
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <vector>
 
 #include "tilt_lens/sampling/block.h"
 #include "tilt_lens/sampling/budget_search.h"
 #include "tilt_lens/sampling/sample_record.h"
+#include "tilt_lens/sampling/shared_tasks.h"
 
 namespace tilt_lens
 {
@@ -38,6 +37,7 @@ class BudgetPilot
     /// One step of one block.
     struct Task
     {
+        std::size_t number;
         std::size_t block;  ///< row by row
     };
 
@@ -68,13 +68,9 @@ class BudgetPilot
     };
     Blocks few, all;
 
-    std::mutex mutex;
-    std::condition_variable changed;
+    SharedTasks tasks;  ///< a round of tasks for each step
     bool trying = true;  ///< with the few blocks
     int step = 0;  ///< of Block
-    std::size_t given = 0, ended = 0;  ///< tasks of this step
-    std::vector<Task> again;  ///< interrupted tasks
-    bool done = false;
 
     std::vector<std::unique_ptr<Block>> blocks;  ///< by place; null: not looked at
     std::vector<std::unique_ptr<SampleRecord>> records;  ///< by place

@@ -23,8 +23,14 @@ EmitterSampling::EmitterSampling(const LensSampler& plain, const SamplingLimits&
 {
     if (limits.FirstRound() < Settings::emitterStratum)
         return;
-    for (const Emitter& emitter : all)
+    Add(limits, all);
+}
+
+void EmitterSampling::Add(const SamplingLimits& limits, const std::vector<Emitter>& more)
+{
+    for (const Emitter& emitter : more)
         Keep(emitter, limits.FirstRound() * limits.variance);
+    bins.clear();
     Distribute();
 }
 
@@ -67,6 +73,26 @@ EmitterSampling::Box EmitterSampling::BlurBoxOf(const Vec3& centre, bool& whole)
     return box;
 }
 
+/// Along the shorter side of a pixel. A sphere's image is elongated, increasingly towards the picture's edge.
+double EmitterSampling::SizeOfPixelAt(const Vec3& point) const
+{
+    const double ahead = Dot(point, plain.lens.axis);
+    const double pixels = std::max(plain.width / Length(plain.lens.right), plain.height / Length(plain.lens.up));
+    return ahead * ahead / (pixels * Dot(plain.lens.direction, plain.lens.axis) * Length(point));
+}
+
+std::vector<EmitterSampling::SharpImage> EmitterSampling::SharpImages() const
+{
+    std::vector<SharpImage> images;
+    for (const Kept& emitter : kept)
+    {
+        SharpImage image{0.0, 0.0, emitter.imageRadius};
+        if (PixelPositionOf(emitter.centre, {0.0, 0.0}, image.x, image.y))
+            images.push_back(image);
+    }
+    return images;
+}
+
 /// @param leastVariance  of one plain sample
 bool EmitterSampling::Keep(const Emitter& emitter, double leastVariance)
 {
@@ -79,9 +105,7 @@ bool EmitterSampling::Keep(const Emitter& emitter, double leastVariance)
     if (!whole)
         return false;
 
-    // a sphere's image is elongated, increasingly towards the picture's edge
-    const double pixels = std::max(plain.width / Length(plain.lens.right), plain.height / Length(plain.lens.up));
-    const double imageRadius = emitter.radius * pixels * Dot(plain.lens.direction, plain.lens.axis) * distance / (ahead * ahead);
+    const double imageRadius = emitter.radius / SizeOfPixelAt(emitter.centre);
     const double across = covers.right - covers.left, along = covers.bottom - covers.top;
     const double hits = pi * imageRadius * imageRadius / std::max(1.0, pi / 4.0 * across * along);
     const double emission = hits * emitter.radiance;

@@ -26,13 +26,25 @@ struct Emitter
     double around = 0.0;  ///< possible radiance around it
 };
 
-/// Immutable, thread-safe.
+/// Thread-safe, but for Add().
 class EmitterSampling
 {
   public:
     /// Keeps emitters too small on the film and too bright to be found by chance.
     /// @param plain  must outlive the result
     EmitterSampling(const LensSampler& plain, const SamplingLimits& limits, const std::vector<Emitter>& all);
+
+    /// More emitters, as in the constructor; before the first sample.
+    void Add(const SamplingLimits& limits, const std::vector<Emitter>& more);
+
+    struct SharpImage
+    {
+        double x, y, radius;  ///< pixels
+    };
+    /// Through the lens centre.
+    std::vector<SharpImage> SharpImages() const;
+    /// Scene units, at a point relative to the lens centre.
+    double SizeOfPixelAt(const Vec3& point) const;
 
     bool Empty() const { return kept.empty(); }
     std::size_t Count() const { return kept.size(); }

@@ -20,7 +20,7 @@
 namespace tilt_lens
 {
 
-/// Immutable, thread-safe.
+/// Immutable and thread-safe from the first sample on: a search may add emitters before.
 class SampledCamera
 {
   public:
@@ -42,7 +42,7 @@ class SampledCamera
 
     const LensFootprint footprint;
     const LensSampler lensSampler;
-    const EmitterSampling emitters;
+    EmitterSampling emitters;
 
     const std::uint32_t seed;
 };

@@ -16,6 +16,7 @@
 #include "backend/render/tracetask.h"
 #include "backend/scene/view.h"
 #include "tilt_lens/sampling/budget.h"
+#include "tilt_lens/sampling/lamp_search.h"
 #include "tilt_lens/sampling/tile_sampler.h"
 
 #include "base/povdebug.h"
@@ -26,14 +27,26 @@ namespace pov
 namespace
 {
 
-void RunPilot(TiltLensTracer& tracer, RadiosityFunction& radiosity, bool apart, const std::function<void()>& cooperate)
+void RunSearch(TiltLensTracer& tracer, RadiosityFunction& radiosity, bool apart, const std::function<void()>& cooperate)
+{
+    while (const auto row = tracer.view->search->NextRow())
+    {
+        radiosity.BeforeTile(apart ? -1 - int(*row) : 0);
+        tracer.Search(*row);
+        radiosity.AfterTile();
+        cooperate();
+    }
+}
+
+void RunPilot(tilt_lens::BudgetPilot& pilot, TiltLensTracer& tracer, RadiosityFunction& radiosity, bool apart,
+              const std::function<void()>& cooperate)
 {
     const auto trace = [&](const tilt_lens::SampleRun& run, tilt_lens::SampleResult* results) { tracer.samples.Trace(run, results); };
-    while (const auto task = tracer.view->pilot->NextTask())
+    while (const auto task = pilot.NextTask())
     {
         // reproducible pixels must not depend on light found here
         radiosity.BeforeTile(apart ? -1 - int(task->block) : 0);
-        tracer.view->pilot->Take(*task, trace);
+        pilot.Take(*task, trace);
         radiosity.AfterTile();
         cooperate();
     }
@@ -102,8 +115,10 @@ void TraceTask::TiltLensSampling()
     unsigned int serial;
 
     TiltLensTracer& tracer = *TiltLensTracer::Of(trace);
-    if (tracer.view->pilot)
-        RunPilot(tracer, radiosity, highReproducibility, [this] { Cooperate(); });
+    if (tracer.view->search)
+        RunSearch(tracer, radiosity, highReproducibility, [this] { Cooperate(); });
+    if (tilt_lens::BudgetPilot* const pilot = tracer.view->Pilot())
+        RunPilot(*pilot, tracer, radiosity, highReproducibility, [this] { Cooperate(); });
     EstimateWork(tracer);
     while (GetViewData()->GetNextRectangle(rect, serial) == true)
     {

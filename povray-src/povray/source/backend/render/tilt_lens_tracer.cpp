@@ -10,6 +10,7 @@
 #include "backend/render/chief_camera_ray.h"
 #include "backend/render/trace_aids.h"
 #include "backend/render/tracepixel.h"
+#include "tilt_lens/sampling/lamp_search.h"
 
 #include "base/povdebug.h"
 
@@ -109,6 +110,11 @@ DBL TiltLensTracer::TraceAlone(const Ray& ray, unsigned int x, unsigned int y, C
 pov::Trace::TraceTicket TiltLensTracer::NewTicket() const
 {
     return pov::Trace::TraceTicket(trace.maxTraceLevel, trace.adcBailout, trace.sceneData->outputAlpha);
+}
+
+void TiltLensTracer::Search(std::size_t row)
+{
+    view->search->Take(row, *this);
 }
 
 const Camera& TiltLensTracer::GetCamera() const

@@ -40,6 +40,8 @@ class TiltLensTracer : private SampleSeedSource, private tilt_lens::RayTracer
     tilt_lens::SampleTracer samples;
     AreaLightSampler areaLights;
 
+    void Search(std::size_t row);
+
     void TracePreview(DBL x, DBL y, DBL width, DBL height, Colour& colour);
 
     /// With whole grids of area lights; returns the distance to the hit.

@@ -15,6 +15,7 @@
 #include "tilt_lens/glass/inner_focus.h"
 #include "tilt_lens/lens_camera/sharp_points.h"
 #include "tilt_lens/sampling/budget.h"
+#include "tilt_lens/sampling/lamp_search.h"
 
 #include "base/povdebug.h"
 
@@ -263,8 +264,9 @@ std::string BudgetOf(const TiltLensView& view, const tilt_lens::SamplingStatisti
     const tilt_lens::BudgetPilot& pilot = *view.pilot;
     const tilt_lens::BudgetRound& chosen = pilot.Chosen();
     const double pixels = std::max<double>(1.0, statistics.Pixels());
-    std::string text = Line("  Budget...............%.4g samples a pixel, %.4g taken (%.2g in vain)\n", pilot.Budget(),
-                            statistics.Samples() / pixels + pilot.Lost(), pilot.Lost());
+    const double searched = view.search ? view.search->RaysOfPixel() : 0.0;
+    std::string text = Line("  Budget...............%.4g samples a pixel, %.4g taken (%.2g in vain)\n", pilot.Budget() + searched,
+                            statistics.Samples() / pixels + pilot.Lost() + searched, pilot.Lost());
     text += Line("    variance...........%.3g, chosen for this budget\n", chosen.variance);
     if (seconds > 0.0)
         text += Line("    speed..............%.0f samples a second\n", (statistics.Samples() + pilot.Lost() * pixels) / seconds);
@@ -297,6 +299,8 @@ std::string SkippedOf(const TiltLensView& view, const tilt_lens::SamplingStatist
     if (!view.camera.emitters.Empty())
         text += "  Emitter samples......" + Count(statistics.emitterSampled, "sample") +
                 Line(", emitters in view: %.0f\n", view.camera.emitters.Count());
+    if (view.search)
+        text += "  Lamps searched......." + Count(view.search->Rays(), "ray") + Line(", %.0f found\n", view.search->Lamps());
     if (view.objectsWithInterior > 0)
     {
         const std::size_t hold = std::count_if(view.aroundLens.begin(), view.aroundLens.end(),

@@ -16,9 +16,11 @@
 #include "backend/scene/threaddata.h"
 #include "backend/scene/tilt_lens_emitters.h"
 #include "backend/scene/tilt_lens_report.h"
+#include "backend/scene/unlisted_lamps.h"
 #include "backend/scene/view.h"
 #include "backend/texture/pigment.h"
 #include "tilt_lens/sampling/budget.h"
+#include "tilt_lens/sampling/lamp_search.h"
 
 #include "base/povdebug.h"
 
@@ -82,18 +84,29 @@ std::size_t ObjectsWithInterior(const SceneData& scene)
 
 } // namespace
 
-TiltLensView::TiltLensView(const Camera& given, ViewData& view) :
-    camera(LensCameraOf(given, view.GetSceneData()), LimitsOf(given),
-           {view.GetWidth(), view.GetHeight(), EmittersOf(*view.GetSceneData(), given)}, given.TiltLens.statement.sampleSeed),
+TiltLensView::TiltLensView(const Camera& given, ViewData& view, const std::vector<tilt_lens::Emitter>& emitters) :
+    camera(LensCameraOf(given, view.GetSceneData()), LimitsOf(given), {view.GetWidth(), view.GetHeight(), emitters},
+           given.TiltLens.statement.sampleSeed),
     aroundLens(ObjectsAroundLens(given, *given.TiltLens.lens, *view.GetSceneData())),
     objectsWithInterior(ObjectsWithInterior(*view.GetSceneData())),
     width(view.GetWidth()),
     height(view.GetHeight()),
-    rendered(AreaOf(view.GetRenderArea()))
+    rendered(AreaOf(view.GetRenderArea())),
+    budget(given.TiltLens.aids.Any() ? 0.0 : given.TiltLens.statement.budget)
 {
-    const double budget = given.TiltLens.statement.budget;
-    if (budget > 0.0 && !given.TiltLens.aids.Any())
-        pilot.reset(new tilt_lens::BudgetPilot(camera.limits, width, height, budget));
+    const std::uint32_t least = camera.limits.FirstRound();
+    const double searchRays = tilt_lens::Settings::searchPart * (budget > 0.0 ? budget - least : camera.limits.max);
+    const bool aims = camera.lens->CanAimAtEmitters() && least >= tilt_lens::Settings::emitterStratum;
+    if (!given.TiltLens.aids.Any() && aims && searchRays >= 1.0 && MayShowUnlistedLamps(*view.GetSceneData(), emitters))
+        search.reset(new tilt_lens::LampSearch(camera, width, height, searchRays));
+}
+
+tilt_lens::BudgetPilot* TiltLensView::Pilot()
+{
+    boost::mutex::scoped_lock lock(pilotMutex);
+    if (!pilot && budget > 0.0)
+        pilot.reset(new tilt_lens::BudgetPilot(camera.limits, width, height, budget - (search ? search->RaysOfPixel() : 0.0)));
+    return pilot.get();
 }
 
 const tilt_lens::SamplingLimits& TiltLensView::Limits() const
@@ -143,7 +156,7 @@ shared_ptr<TiltLensView> TiltLensView::Create(Camera& camera, ViewData& view)
     camera.Aperture = 0.0;
     if (IsPlainPinhole(lens, camera.TiltLens.statement.character))
         return shared_ptr<TiltLensView>();
-    shared_ptr<TiltLensView> prepared(new TiltLensView(camera, view));
+    shared_ptr<TiltLensView> prepared(new TiltLensView(camera, view, EmittersOf(*view.GetSceneData(), camera)));
     if (camera.TiltLens.aids.Any())
         prepared->aids.reset(new TiltLensAids(camera.TiltLens.aids, prepared->camera.lens, view.GetWidth(), view.GetHeight(),
                                               view.GetSceneData()->workingGammaToSRGB));

@@ -26,7 +26,8 @@
 namespace tilt_lens
 {
 class BudgetPilot;
-}
+class LampSearch;
+}  // namespace tilt_lens
 
 namespace pov
 {
@@ -56,9 +57,14 @@ class TiltLensView
     /// @throws tilt_lens::OpticsError  `budget` does not suffice for the first round of samples
     static void RequireBudget(const Camera& camera, shared_ptr<SceneData> scene);
 
-    const tilt_lens::SampledCamera camera;
+    /// The search completes its emitters.
+    tilt_lens::SampledCamera camera;
 
-    /// Chooses the variance for `budget`; else NULL.
+    /// NULL where all lamps are known from the scene's objects.
+    shared_ptr<tilt_lens::LampSearch> search;
+
+    /// Chooses the variance for `budget`; else NULL. Call after the search.
+    tilt_lens::BudgetPilot* Pilot();
     shared_ptr<tilt_lens::BudgetPilot> pilot;
 
     /// Call after the pilot.
@@ -88,10 +94,12 @@ class TiltLensView
     void AddProgress(POVMS_Object& message) const;
 
   private:
-    TiltLensView(const Camera& camera, ViewData& view);
+    TiltLensView(const Camera& camera, ViewData& view, const std::vector<tilt_lens::Emitter>& emitters);
 
     const unsigned int width, height;
     const tilt_lens::Area rendered;
+    const double budget;  ///< rays of a pixel; 0: none
+    boost::mutex pilotMutex;
     boost::mutex blocksMutex;
     shared_ptr<tilt_lens::BlockCache> blocks;
 

@@ -1,0 +1,106 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+#include "backend/scene/unlisted_lamps.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "backend/frame.h"
+#include "backend/colour/colour.h"
+#include "backend/interior/interior.h"
+#include "backend/pattern/pattern.h"
+#include "backend/scene/atmosph.h"
+#include "backend/scene/objects.h"
+#include "backend/scene/plain_textures.h"
+#include "backend/scene/scene.h"
+#include "backend/shape/csg.h"
+#include "backend/support/imageutil.h"
+#include "base/image/image.h"
+#include "tilt_lens/settings.h"
+
+#include "base/povdebug.h"
+
+namespace pov
+{
+
+namespace
+{
+
+/// Infinite for an image with high dynamic range; 1 for patterns with their own colours.
+double BrightestColourOf(const PIGMENT& pigment)
+{
+    if (pigment.Type == PLAIN_PATTERN)
+        return BrightestOf(RGBColour(pigment.colour));
+    if (pigment.Type == BITMAP_PATTERN)
+        return pigment.Vals.image->data->GetImageDataType() == Image::RGBFT_Float ? HUGE_VAL : 1.0;
+    const BLEND_MAP* const map = pigment.Blend_Map;
+    if (map == NULL)
+        return 1.0;
+    double brightest = 0.0;
+    for (int i = 0; i < map->Number_Of_Entries; i++)
+        brightest = std::max(brightest, map->Type == COLOUR_TYPE ? BrightestOf(RGBColour(Colour(map->Blend_Map_Entries[i].Vals.colour)))
+                                                                 : BrightestColourOf(*map->Blend_Map_Entries[i].Vals.Pigment));
+    return brightest;
+}
+
+bool IsPattern(const PIGMENT& pigment)
+{
+    return pigment.Type != PLAIN_PATTERN;
+}
+
+bool Outshines(double glow, const PIGMENT& pigment)
+{
+    return IsPattern(pigment) && glow > 0.0 && glow * BrightestColourOf(pigment) > tilt_lens::Settings::searchRadiance;
+}
+
+bool SkyOutshines(const SKYSPHERE* sky)
+{
+    for (int i = 0; sky != NULL && i < sky->Count; i++)
+        if (Outshines(BrightestOf(sky->Emission), *sky->Pigments[i]))
+            return true;
+    return false;
+}
+
+class Clues
+{
+  public:
+    Clues(const SceneData& scene, bool emitters) : scene(scene), emitters(emitters) {}
+
+    bool Any(const std::vector<ObjectPtr>& objects) const
+    {
+        return std::any_of(objects.begin(), objects.end(), [this](ObjectPtr object) { return In(object); });
+    }
+
+  private:
+    const SceneData& scene;
+    const bool emitters;
+
+    bool In(ObjectPtr object) const
+    {
+        const CompoundObject* const compound = dynamic_cast<const CompoundObject*>(object);
+        if (compound != NULL && Any(compound->children))
+            return true;
+        if (emitters && object->interior != NULL && object->interior->IOR != 1.0)
+            return true;
+        bool outshines = false;
+        ForEachPlainTexture(object->Texture, [&](const TEXTURE& plain)
+        {
+            const FINISH& finish = *plain.Finish;
+            for (int c = pRED; c <= pBLUE; c++)
+                outshines = outshines || Outshines(finish.Emission[c] + finish.Ambient[c] * scene.ambientLight[c], *plain.Pigment);
+        });
+        return outshines;
+    }
+};
+
+} // namespace
+
+bool MayShowUnlistedLamps(const SceneData& scene, const std::vector<tilt_lens::Emitter>& emitters)
+{
+    const bool bright = std::any_of(emitters.begin(), emitters.end(), [](const tilt_lens::Emitter& emitter)
+    { return emitter.radiance > tilt_lens::Settings::searchRadiance; });
+    return SkyOutshines(scene.skysphere) || Clues(scene, bright).Any(scene.objects);
+}
+
+} // namespace pov

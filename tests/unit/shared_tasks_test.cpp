@@ -1,0 +1,73 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+#include "tilt_lens/sampling/shared_tasks.h"
+
+#include <atomic>
+#include <functional>
+#include <future>
+#include <stdexcept>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace tilt_lens
+{
+namespace
+{
+
+void RunTasks(SharedTasks& tasks, int threads, const std::function<void(std::size_t)>& work, const std::function<void()>& endRound)
+{
+    const auto run = [&]
+    {
+        while (const auto task = tasks.Next())
+            try
+            {
+                tasks.Take(*task, [&] { work(*task); }, endRound);
+            }
+            catch (const std::runtime_error&)
+            {
+            }
+    };
+    std::vector<std::future<void>> running;
+    for (int i = 0; i < threads; i++)
+        running.push_back(std::async(std::launch::async, run));
+    for (std::future<void>& one : running)
+        one.get();
+}
+
+TEST(SharedTasks, TakeEachTaskOfEachRoundOnce)
+{
+    constexpr std::size_t rounds = 20, count = 30;
+    SharedTasks tasks;
+    std::vector<std::atomic<int>> taken(rounds * count);
+    std::atomic<std::size_t> round{0}, tried{0};
+    tasks.BeginRound(count);
+    const auto work = [&](std::size_t task)
+    {
+        if (++tried % 7 == 3)
+            throw std::runtime_error("interrupted");
+        taken[round * count + task]++;
+    };
+    RunTasks(tasks, 4, work, [&] { tasks.BeginRound(++round < rounds ? count : 0); });
+    for (const std::atomic<int>& one : taken)
+        EXPECT_EQ(one, 1);
+    EXPECT_FALSE(tasks.Next());
+}
+
+TEST(SharedTasks, EndForAllWhenARoundCannotEnd)
+{
+    SharedTasks tasks;
+    tasks.BeginRound(50);
+    std::atomic<int> ended{0};
+    RunTasks(tasks, 4, [](std::size_t) {}, [&]
+    {
+        ended++;
+        throw std::runtime_error("no memory");
+    });
+    EXPECT_EQ(ended, 1);
+    EXPECT_FALSE(tasks.Next());
+}
+
+} // namespace
+} // namespace tilt_lens
