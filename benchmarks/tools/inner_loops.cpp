@@ -12,8 +12,8 @@
 #include "tilt_lens/camera/aperture.h"
 #include "tilt_lens/camera/optics.h"
 #include "tilt_lens/camera/ray.h"
-#include "tilt_lens/sampling/sequence.h"
-#include "tilt_lens/sampling/tile_sampler.h"
+#include "tilt_lens/samples/sequence.h"
+#include "tilt_lens/stop_rule/tile_sampler.h"
 
 namespace
 {

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "tilt_lens/sampling/sample.h"
+#include "tilt_lens/samples/sample.h"
 
 namespace tilt_lens
 {

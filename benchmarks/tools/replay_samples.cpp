@@ -28,7 +28,7 @@
 
 #include "named_settings.h"
 #include "recorded_sample.h"
-#include "tilt_lens/sampling/tile_sampler.h"
+#include "tilt_lens/stop_rule/tile_sampler.h"
 
 namespace
 {

@@ -22,8 +22,8 @@
 #include <nlohmann/json.hpp>
 
 #include "picture.h"
-#include "tilt_lens/sampling/sequence.h"
-#include "tilt_lens/sampling/tile_sampler.h"
+#include "tilt_lens/samples/sequence.h"
+#include "tilt_lens/stop_rule/tile_sampler.h"
 
 namespace
 {

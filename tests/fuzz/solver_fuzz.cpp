@@ -12,7 +12,7 @@
 #include "tilt_lens/camera/aperture.h"
 #include "tilt_lens/camera/ray.h"
 #include "tilt_lens/lens_camera/solve.h"
-#include "tilt_lens/sampling/sequence.h"
+#include "tilt_lens/samples/sequence.h"
 
 namespace
 {

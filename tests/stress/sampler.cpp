@@ -18,7 +18,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tilt_lens/sampling/sequence.h"
+#include "tilt_lens/samples/sequence.h"
 
 namespace
 {

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-#include "tilt_lens/sampling/block_cache.h"
+#include "tilt_lens/stop_rule/block_cache.h"
 
 #include <atomic>
 #include <chrono>
@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "tile_results.h"
-#include "tilt_lens/sampling/tile_sampler.h"
+#include "tilt_lens/stop_rule/tile_sampler.h"
 
 namespace tilt_lens
 {

@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "tile_results.h"
-#include "tilt_lens/sampling/block_estimate.h"
+#include "tilt_lens/stop_rule/block_estimate.h"
 
 namespace tilt_lens
 {

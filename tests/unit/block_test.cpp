@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-#include "tilt_lens/sampling/block.h"
+#include "tilt_lens/stop_rule/block.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "tile_results.h"
-#include "tilt_lens/sampling/sent_samples.h"
+#include "tilt_lens/stop_rule/sent_samples.h"
 
 namespace tilt_lens
 {

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-#include "tilt_lens/sampling/convergence.h"
+#include "tilt_lens/stop_rule/convergence.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +15,8 @@
 #include "block_estimates.h"
 #include "tilt_lens/camera/aperture.h"
 #include "tilt_lens/reconstruction/spread.h"
-#include "tilt_lens/sampling/forecast.h"
-#include "tilt_lens/sampling/pixel_variance.h"
+#include "tilt_lens/stop_rule/forecast.h"
+#include "tilt_lens/stop_rule/pixel_variance.h"
 
 namespace tilt_lens
 {

@@ -12,7 +12,7 @@
 
 #include "double_gauss_rows.h"
 #include "tilt_lens/glass/field_aberrations.h"
-#include "tilt_lens/sampling/sequence.h"
+#include "tilt_lens/samples/sequence.h"
 
 namespace tilt_lens
 {

@@ -17,7 +17,7 @@
 #include "double_gauss_rows.h"
 #include "random_cameras.h"
 #include "tile_results.h"
-#include "tilt_lens/sampling/sample_tracer.h"
+#include "tilt_lens/samples/sample_tracer.h"
 #include "with_kernels.h"
 
 namespace tilt_lens

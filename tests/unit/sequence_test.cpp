@@ -3,7 +3,7 @@
 
 // Fixed seeds and bounds of stated significance.
 
-#include "tilt_lens/sampling/sequence.h"
+#include "tilt_lens/samples/sequence.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
-#include "tilt_lens/sampling/shared_tasks.h"
+#include "tilt_lens/samples/shared_tasks.h"
 
 #include <atomic>
 #include <functional>

@@ -16,7 +16,7 @@
 
 #include "random_cameras.h"
 #include "tilt_lens/reconstruction/reconstruction.h"
-#include "tilt_lens/sampling/sequence.h"
+#include "tilt_lens/samples/sequence.h"
 #include "with_kernels.h"
 
 namespace tilt_lens

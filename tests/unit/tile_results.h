@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "tilt_lens/sampling/sequence.h"
-#include "tilt_lens/sampling/tile_sampler.h"
+#include "tilt_lens/samples/sequence.h"
+#include "tilt_lens/stop_rule/tile_sampler.h"
 
 namespace tilt_lens
 {

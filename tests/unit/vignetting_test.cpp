@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tilt_lens/sampling/sequence.h"
+#include "tilt_lens/samples/sequence.h"
 
 namespace tilt_lens
 {

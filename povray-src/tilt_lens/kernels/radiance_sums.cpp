@@ -4,7 +4,7 @@
 #include <cfloat>
 
 #include "tilt_lens/kernels/variant.h"
-#include "tilt_lens/sampling/pixel_statistics.h"
+#include "tilt_lens/stop_rule/pixel_statistics.h"
 
 namespace tilt_lens::TILT_LENS_VARIANT
 {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 #include "tilt_lens/kernels/variant.h"
-#include "tilt_lens/sampling/lens_sampler.h"
-#include "tilt_lens/sampling/scramble.h"
-#include "tilt_lens/sampling/sequence.h"
+#include "tilt_lens/samples/lens_sampler.h"
+#include "tilt_lens/samples/scramble.h"
+#include "tilt_lens/samples/sequence.h"
 
 namespace tilt_lens::TILT_LENS_VARIANT
 {

@@ -10,7 +10,7 @@
 
 #include <cstdint>
 
-#include "tilt_lens/sampling/sequence.h"
+#include "tilt_lens/samples/sequence.h"
 
 namespace pov
 {

@@ -9,7 +9,7 @@
 #include "tilt_lens/glass/dispersion.h"
 #include "tilt_lens/glass/glass_lens.h"
 #include "tilt_lens/glass/prescription.h"
-#include "tilt_lens/sampling/sampling_limits.h"
+#include "tilt_lens/samples/sampling_limits.h"
 
 #include "base/povdebug.h"
 

@@ -21,7 +21,7 @@
 #include "backend/parser/tilt_lens_items.h"
 #include "backend/scene/camera_record.h"
 #include "backend/scene/tilt_lens_view.h"
-#include "tilt_lens/sampling/sampling_limits.h"
+#include "tilt_lens/samples/sampling_limits.h"
 
 #include "base/povdebug.h"
 

@@ -15,9 +15,9 @@
 #include "backend/render/trace_aids.h"
 #include "backend/render/tracetask.h"
 #include "backend/scene/view.h"
-#include "tilt_lens/sampling/budget.h"
-#include "tilt_lens/sampling/lamp_search.h"
-#include "tilt_lens/sampling/tile_sampler.h"
+#include "tilt_lens/budget/budget.h"
+#include "tilt_lens/samples/lamp_search.h"
+#include "tilt_lens/stop_rule/tile_sampler.h"
 
 #include "base/povdebug.h"
 

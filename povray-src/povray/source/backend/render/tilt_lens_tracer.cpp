@@ -10,7 +10,7 @@
 #include "backend/render/chief_camera_ray.h"
 #include "backend/render/trace_aids.h"
 #include "backend/render/tracepixel.h"
-#include "tilt_lens/sampling/lamp_search.h"
+#include "tilt_lens/samples/lamp_search.h"
 
 #include "base/povdebug.h"
 

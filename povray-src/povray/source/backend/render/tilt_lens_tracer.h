@@ -13,7 +13,7 @@
 #include "backend/render/trace.h"
 #include "backend/scene/tilt_lens_view.h"
 #include "backend/support/sample_seeds.h"
-#include "tilt_lens/sampling/sample_tracer.h"
+#include "tilt_lens/samples/sample_tracer.h"
 
 namespace pov
 {

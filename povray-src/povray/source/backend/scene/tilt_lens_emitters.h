@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "backend/frame.h"
-#include "tilt_lens/sampling/emitter_sampling.h"
+#include "tilt_lens/samples/emitter_sampling.h"
 
 namespace pov
 {

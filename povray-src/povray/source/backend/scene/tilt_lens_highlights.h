@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "backend/frame.h"
-#include "tilt_lens/sampling/highlight.h"
+#include "tilt_lens/samples/highlight.h"
 
 namespace pov
 {

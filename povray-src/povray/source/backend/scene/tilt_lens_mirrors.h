@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "backend/frame.h"
-#include "tilt_lens/sampling/flat_mirror.h"
+#include "tilt_lens/samples/flat_mirror.h"
 
 namespace pov
 {

@@ -10,12 +10,12 @@
 
 #include "backend/frame.h"
 #include "backend/scene/tilt_lens_view.h"
+#include "tilt_lens/budget/budget.h"
 #include "tilt_lens/glass/dispersion.h"
 #include "tilt_lens/glass/field_aberrations.h"
 #include "tilt_lens/glass/inner_focus.h"
 #include "tilt_lens/lens_camera/sharp_points.h"
-#include "tilt_lens/sampling/budget.h"
-#include "tilt_lens/sampling/lamp_search.h"
+#include "tilt_lens/samples/lamp_search.h"
 
 #include "base/povdebug.h"
 

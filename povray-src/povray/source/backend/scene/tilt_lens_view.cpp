@@ -19,8 +19,8 @@
 #include "backend/scene/unlisted_lamps.h"
 #include "backend/scene/view.h"
 #include "backend/texture/pigment.h"
-#include "tilt_lens/sampling/budget.h"
-#include "tilt_lens/sampling/lamp_search.h"
+#include "tilt_lens/budget/budget.h"
+#include "tilt_lens/samples/lamp_search.h"
 
 #include "base/povdebug.h"
 

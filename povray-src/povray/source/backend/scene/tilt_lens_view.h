@@ -18,10 +18,10 @@
 #include "backend/scene/tilt_lens_aids.h"
 #include "base/povmscpp.h"
 #include "base/povmsgid.h"
-#include "tilt_lens/sampling/block_cache.h"
-#include "tilt_lens/sampling/progress_estimator.h"
-#include "tilt_lens/sampling/sampled_camera.h"
-#include "tilt_lens/sampling/sampling_statistics.h"
+#include "tilt_lens/budget/progress_estimator.h"
+#include "tilt_lens/samples/sampled_camera.h"
+#include "tilt_lens/stop_rule/block_cache.h"
+#include "tilt_lens/stop_rule/sampling_statistics.h"
 
 namespace tilt_lens
 {

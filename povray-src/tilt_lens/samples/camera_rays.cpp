@@ -1,0 +1,110 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+#include "tilt_lens/samples/camera_rays.h"
+
+#include <numeric>
+
+namespace tilt_lens
+{
+
+namespace
+{
+
+void PutFour(const FourGlassSamples& four, std::uint32_t first, CameraRays& rays)
+{
+    for (std::uint32_t i = 0; i < 4; i++)
+    {
+        const std::uint32_t place = first + i;
+        rays.samples.weight[place] = four.weight[i];
+        if (four.weight[i] == 0.0)
+            continue;
+        for (int axis = 0; axis < 3; axis++)
+            rays.origin[axis][place] = four.origin[axis][i];
+        rays.w[place] = four.w[i];
+        rays.PutDirection(place, {four.direction[0][i], four.direction[1][i], four.direction[2][i]});
+    }
+}
+
+} // namespace
+
+void FindRays(const Lens& lens, const SampleRun& run, CameraRays& rays)
+{
+    const CameraSamples& from = rays.samples;
+    auto &o = rays.origin, &d = rays.direction;
+    MakeRays(lens, {from.x, from.y, from.a, from.b, {o[0], o[1], o[2]}, {d[0], d[1], d[2]}, rays.length, rays.w}, run.Place(),
+             run.Place() + run.count);
+}
+
+void CameraRayBatch::Make(const SampleRun& run)
+{
+    const SampleId& pixel = run.first;
+    if (empty || pixel.x != last.first.x || pixel.y != last.first.y)
+    {
+        empty = false;
+        sampler = PixelSampler(pixel.x, pixel.y, camera.seed);
+        if (aims)
+            targets = camera.emitters.TargetsOf(pixel.x, pixel.y);
+        if (glass != nullptr)
+            glassSeeds = PixelSampler(pixel.x, pixel.y, camera.lens->SeedSalt());
+    }
+    last = run;
+    sampler.FindGroup(run.first.index, points);
+    if (glass != nullptr)
+        return MakeOfGlass(run);
+    camera.emitters.Draw(targets, run, points, rays.samples);
+    FindRays(camera.lens->Solved(), run, rays);
+}
+
+void CameraRayBatch::MakeOfGlass(const SampleRun& run)
+{
+    refused = 0;
+    camera.lensSampler.DrawFilmPoints(run, points, rays.samples);
+    const std::uint32_t end = run.Place() + run.count;
+    if (glass->HasColours())  // MakeColour() makes their rays
+        for (std::uint32_t i = run.Place(); i < end; i++)
+            rays.samples.weight[i] = glass->Brightness({rays.samples.x[i], rays.samples.y[i]});
+    else
+        for (std::uint32_t first = Quads(run).begin; first < end; first += 4)
+            DrawFour(run, first);
+}
+
+/// @param first  position in the group of the four
+void CameraRayBatch::DrawFour(const SampleRun& run, std::uint32_t first)
+{
+    FourGlassPoints four;
+    four.wanted = 0;
+    const std::uint32_t begin = run.first.index - run.Place();
+    for (std::uint32_t i = 0; i < 4; i++)
+    {
+        const std::uint32_t place = first + i;
+        four.x[i] = rays.samples.x[place], four.y[i] = rays.samples.y[place];
+        four.u[i] = points.lensU[place], four.v[i] = points.lensV[place];
+        four.seed[i] = glassSeeds.Hash(begin + place);
+        four.wanted |= (place >= run.Place() && place < run.Place() + run.count ? 1u : 0u) << i;
+    }
+    FourGlassSamples samples;
+    glass->Draw(four, samples);
+    PutFour(samples, first, rays);
+    refused = std::accumulate(samples.refused, samples.refused + 4, refused);
+}
+
+void CameraRayBatch::MakeColour(std::uint32_t place, double hue, CameraRays& ray)
+{
+    const CameraSample sample = rays.samples[place];
+    ray.samples.Put(0, sample);
+    refused = 0;
+    if (sample.weight == 0.0)
+        return;
+    if (glass == nullptr)
+        return ray.Put(0, MakeColourRay(camera.lens->Solved(), sample.x, sample.y, sample.point.a, sample.point.b, hue));
+    const std::uint32_t index = last.first.index - last.Place() + place;
+    const GlassSample drawn = glass->DrawColour({sample.x, sample.y}, points.lensU[place], points.lensV[place], glassSeeds.Hash(index),
+                                                hue);
+    refused = drawn.refused;
+    ray.samples.weight[0] = drawn.weight;
+    if (drawn.weight != 0.0)
+        ray.Put(0, drawn.ray);
+}
+
+} // namespace tilt_lens
