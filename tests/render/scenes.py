@@ -25,4 +25,20 @@ def unknown_glow(red, green, blue):
     return f"texture {{ pigment {{ {colour} }} finish {{ ambient 0 emission 0 diffuse 1e4 brilliance 0 }} }}"
 
 
+SIX = [(x, y) for x in (-3, 0.5, 4) for y in (-1, 2)]
+
+
+def six(glow, z=8, radius=0.15):
+    return "".join(f"disc {{ <{x}, {y}, {z}>, z, {radius} {glow} }}\n" for x, y in SIX)
+
+
+def painted(glow=30, radius=0.15):
+    """The same by colours of a wall."""
+    inside = ", ".join(f"{radius**2} - pow(x - {x}, 2) - pow(y - {y}, 2)" for x, y in SIX)
+    return (
+        f"plane {{ -z, -8 pigment {{ function {{ select(max({inside}), 0, 1) }} color_map {{ [0.5 rgb 0] [0.5 rgb 1e3*<1, 0.8, 0.5>] }} }}"
+        f" finish {{ ambient 0 diffuse 0 emission 1e-3*{glow} }} }}\n"
+    )
+
+
 TILTED = camera() + WORLD

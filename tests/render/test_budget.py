@@ -59,8 +59,9 @@ class Kept(rendering.RenderTest):
         self.check(12, scene(12, world=LAMPS))
 
     def test_lamps_that_are_searched(self):
-        glow = "pigment { gradient x color_map { [0 rgb 1] [1 rgb 1] } } finish { emission 40 diffuse 0 }"
-        self.check(16, scene(16, world=LAMPS.replace("pigment { rgb 1 } finish { emission 40 diffuse 0 }", glow)))
+        world = scenes.WORLD + scenes.painted()
+        self.check(16, scene(16, world=world))
+        self.assertIn("Lamps searched", rendering.render_and_listen(scene(16, world=world), **SIZE)[1])
 
     def test_without_denoising(self):
         self.check(24, scene(24, "tilt 4 denoise off"))

@@ -111,6 +111,13 @@ class Skipped(rendering.RenderTest):
             self.assertIsNone(numbers("Emitter samples", said_of(lamp + brighter)), brighter)
         self.assertIsNone(numbers("Emitter samples", said_of("global_settings { radiosity { count 2 } }\n" + lamp + moon)))
 
+    def test_colours_of_a_pattern_count(self):
+        for colour, emission, lamps in ((50, 1, [1]), (0.5, 100, [1]), (0.005, 50, None)):
+            pattern = f"gradient x color_map {{ [0 rgb 0] [1 rgb {colour}] }}"
+            lamp = LAMP.replace("rgb 1", pattern).replace("emission 50", f"emission {emission}")
+            found = numbers("Emitter samples", said_of(EVEN + lamp))
+            self.assertEqual(found and found[1:], lamps, colour)
+
     def test_objects_away_from_the_lens_are_not_tested(self):
         away = GLASS.replace("SPHERE", "<0, 0.5, 1>, 0.3") + GLASS.replace("SPHERE", "<1, 0.5, 1>, 0.3")
         self.assertEqual(numbers("Around the lens", said_of(EVEN + away)), [0, 2, 0])

@@ -17,6 +17,10 @@ inline double BrightestOf(const RGBColour& colour)
     return std::max({0.0, double(colour[pRED]), double(colour[pGREEN]), double(colour[pBLUE])});
 }
 
+/// Brightest channel of a pigment, 1 is white. It is 1 for patterns with their own colours, and infinite for images with high dynamic
+/// range.
+double BrightestColourOf(const PIGMENT& pigment);
+
 /// Visits layers, and entries of maps and of lists.
 template<typename Visit>
 void ForEachPlainTexture(const TEXTURE* texture, const Visit& visit)

@@ -33,10 +33,10 @@ double LightOf(const TEXTURE* texture, const RGBColour& ambientLight)
     double brightest = 0.0;
     ForEachPlainTexture(texture, [&](const TEXTURE& plain)
     {
+        const double pattern = BrightestColourOf(*plain.Pigment);
         for (int c = pRED; c <= pBLUE; c++)
         {
-            // a pattern's colours are seldom above white
-            const double colour = plain.Pigment->Type == PLAIN_PATTERN ? plain.Pigment->colour[c] : 1.0;
+            const double colour = plain.Pigment->Type == PLAIN_PATTERN ? plain.Pigment->colour[c] : std::isfinite(pattern) ? pattern : 1.0;
             brightest = std::max(brightest, colour * (plain.Finish->Emission[c] + plain.Finish->Ambient[c] * ambientLight[c]));
         }
     });

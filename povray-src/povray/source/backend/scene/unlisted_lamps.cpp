@@ -4,19 +4,14 @@
 #include "backend/scene/unlisted_lamps.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "backend/frame.h"
-#include "backend/colour/colour.h"
 #include "backend/interior/interior.h"
-#include "backend/pattern/pattern.h"
 #include "backend/scene/atmosph.h"
 #include "backend/scene/objects.h"
 #include "backend/scene/plain_textures.h"
 #include "backend/scene/scene.h"
 #include "backend/shape/csg.h"
-#include "backend/support/imageutil.h"
-#include "base/image/image.h"
 #include "tilt_lens/settings.h"
 
 #include "base/povdebug.h"
@@ -26,23 +21,6 @@ namespace pov
 
 namespace
 {
-
-/// Infinite for an image with high dynamic range; 1 for patterns with their own colours.
-double BrightestColourOf(const PIGMENT& pigment)
-{
-    if (pigment.Type == PLAIN_PATTERN)
-        return BrightestOf(RGBColour(pigment.colour));
-    if (pigment.Type == BITMAP_PATTERN)
-        return pigment.Vals.image->data->GetImageDataType() == Image::RGBFT_Float ? HUGE_VAL : 1.0;
-    const BLEND_MAP* const map = pigment.Blend_Map;
-    if (map == NULL)
-        return 1.0;
-    double brightest = 0.0;
-    for (int i = 0; i < map->Number_Of_Entries; i++)
-        brightest = std::max(brightest, map->Type == COLOUR_TYPE ? BrightestOf(RGBColour(Colour(map->Blend_Map_Entries[i].Vals.colour)))
-                                                                 : BrightestColourOf(*map->Blend_Map_Entries[i].Vals.Pigment));
-    return brightest;
-}
 
 bool IsPattern(const PIGMENT& pigment)
 {
