@@ -106,8 +106,10 @@ struct Settings
     std::uint32_t hiddenEmitterSamples = 16;
     /// Radiance above which the search for lamps in a sharp picture finds them: two f-stops above white.
     static constexpr double searchRadiance = 4.0;
-    /// Its rays: most per pixel once one per pixel has found a lamp, most in all, and most over the samples that a pixel may take.
+    /// Its rays: most per pixel once one per pixel has found lamps, most in all, and most over the samples that a pixel may take.
     static constexpr double searchRays = 9.0, searchCells = 4194304.0, searchPart = 0.25;
+    /// Share of the picture that circles of lamps cover, above which one ray per pixel is not enough.
+    static constexpr double searchCover = 0.02;
     /// Its margin over the picture's longer side.
     static constexpr double searchMargin = 0.125;
     /// Share of bright cells in a circle of confusion above which plain samples find lamps.

@@ -174,6 +174,17 @@ TEST(LampSearch, EndsEarlyWhereNothingIsFound)
     EXPECT_EQ(raysOf(checks), even) << "plain samples find these";
 }
 
+TEST(LampSearch, FewBlurredPixelsNeedNoFinerCells)
+{
+    World world;
+    world.spheres = {{{0.125, 0.125, 12.0}, 0.13, 40.0}};
+    EXPECT_EQ(LampsFound(world), 1u);
+    EXPECT_EQ(world.traced, kWithMargin * kWidth * kHeight);
+    world.spheres = kLamps;
+    EXPECT_EQ(LampsFound(world), kLamps.size());
+    EXPECT_GT(world.traced, 9.0 * kWithMargin * kWidth * kHeight);
+}
+
 TEST(LampSearch, TakesNoMoreRaysThanAllowed)
 {
     for (const double most : {1.0, 1.5, 3.0, 6.0, 100.0})

@@ -93,6 +93,18 @@ std::vector<EmitterSampling::SharpImage> EmitterSampling::SharpImages() const
     return images;
 }
 
+double EmitterSampling::PixelsCovered() const
+{
+    double sum = 0.0;
+    for (const Kept& emitter : kept)
+    {
+        const double across = std::min(plain.width, emitter.covers.right) - std::max(0.0, emitter.covers.left);
+        const double along = std::min(plain.height, emitter.covers.bottom) - std::max(0.0, emitter.covers.top);
+        sum += std::max(0.0, across) * std::max(0.0, along);
+    }
+    return sum;
+}
+
 /// @param leastVariance  of one plain sample
 bool EmitterSampling::Keep(const Emitter& emitter, double leastVariance)
 {

@@ -48,6 +48,8 @@ class EmitterSampling
 
     bool Empty() const { return kept.empty(); }
     std::size_t Count() const { return kept.size(); }
+    /// Pixels of the picture that emitters cover with their circles of confusion; those under several count several times.
+    double PixelsCovered() const;
 
     struct Targets
     {

@@ -154,17 +154,17 @@ std::vector<Emitter> LampSearch::Found() const
     return found;
 }
 
-/// After the last row: finer cells follow if samples would be aimed at a lamp.
+/// After the last row: finer cells follow if the lamps cover enough pixels.
 void LampSearch::End()
 {
     rays += cells.Count();
-    const std::size_t before = camera.emitters.Count();
-    EmitterSampling emitters = camera.emitters;
     const std::vector<Emitter> found = Found();
+    EmitterSampling emitters = camera.emitters;
     emitters.Add(camera.limits, found);
-    lamps = emitters.Count() - before;
-    if (lamps > 0 && fine < side)
+    const double covered = emitters.PixelsCovered() - camera.emitters.PixelsCovered();
+    if (fine < side && covered > Settings::searchCover * width * height)
         return Begin(fine);
+    lamps = emitters.Count() - camera.emitters.Count();
     camera.emitters.Add(camera.limits, found);
     cells = BrightCells();
     tasks.BeginRound(0);
