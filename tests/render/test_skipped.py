@@ -118,6 +118,19 @@ class Skipped(rendering.RenderTest):
             found = numbers("Emitter samples", said_of(EVEN + lamp))
             self.assertEqual(found and found[1:], lamps, colour)
 
+    def test_textures_of_a_mesh_count(self):
+        def mesh(corner, textures):
+            return (
+                f"mesh2 {{ vertex_vectors {{ 3, 0, x*{corner}, y*{corner} }} {textures} face_indices {{ 1, <0, 1, 2>, 0 }}"
+                " translate <0, 0.5, 6> }\n"
+            )
+
+        lamp = "texture_list { 1, texture { pigment { rgb 1 } finish { emission 50 } } }"
+        self.assertEqual(numbers("Emitter samples", said_of(EVEN + mesh(0.01, lamp)))[1], 1)
+        self.assertIsNone(numbers("Emitter samples", said_of(EVEN + mesh(0.01, lamp.replace("50", "0.1")))))
+        painted = "texture_list { 1, texture { pigment { checker rgb 0 rgb 1 } finish { emission 50 } } }"
+        self.assertIsNotNone(numbers("Lamps searched", said_of(EVEN + mesh(5, painted))))
+
     def test_objects_away_from_the_lens_are_not_tested(self):
         away = GLASS.replace("SPHERE", "<0, 0.5, 1>, 0.3") + GLASS.replace("SPHERE", "<1, 0.5, 1>, 0.3")
         self.assertEqual(numbers("Around the lens", said_of(EVEN + away)), [0, 2, 0])

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "backend/frame.h"
+#include "backend/shape/mesh.h"
 #include "backend/texture/texture.h"
 
 namespace pov
@@ -35,6 +36,16 @@ void ForEachPlainTexture(const TEXTURE* texture, const Visit& visit)
         for (const TEXTURE* material = texture->Materials; material != NULL; material = material->Next_Material)
             ForEachPlainTexture(material, visit);
     }
+}
+
+/// Visits the textures of an object, and of the triangles of a mesh.
+template<typename Visit>
+void ForEachPlainTexture(ObjectPtr object, const Visit& visit)
+{
+    ForEachPlainTexture(object->Texture, visit);
+    const Mesh* mesh = dynamic_cast<const Mesh*>(object);
+    for (long i = 0; mesh != NULL && i < mesh->Number_Of_Textures; i++)
+        ForEachPlainTexture(mesh->Textures[i], visit);
 }
 
 } // namespace pov

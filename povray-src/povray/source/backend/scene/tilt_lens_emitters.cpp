@@ -28,10 +28,10 @@ using tilt_lens::Vec3;
 namespace
 {
 
-double LightOf(const TEXTURE* texture, const RGBColour& ambientLight)
+double LightOf(ObjectPtr object, const RGBColour& ambientLight)
 {
     double brightest = 0.0;
-    ForEachPlainTexture(texture, [&](const TEXTURE& plain)
+    ForEachPlainTexture(object, [&](const TEXTURE& plain)
     {
         const double pattern = BrightestColourOf(*plain.Pigment);
         for (int c = pRED; c <= pBLUE; c++)
@@ -68,7 +68,7 @@ double RadianceOfBackground(const SceneData& scene)
     double brightest = BrightestOf(RGBColour(scene.backgroundColour));
     for (ObjectPtr object : scene.objects)
         if (IsInfinite(object))
-            brightest = std::max(brightest, LightOf(object->Texture, scene.ambientLight));
+            brightest = std::max(brightest, LightOf(object, scene.ambientLight));
     const bool sky = scene.skysphere != NULL || scene.fog != NULL;
     return sky ? std::max(brightest, tilt_lens::Settings::greatestLitRadiance) : brightest;
 }
@@ -111,7 +111,7 @@ class Collector
         if (IsInfinite(object))
             return;  // samples cannot miss it
         AddHighlights(object, scene, camera, leastRadiance, seen);
-        const double light = LightOf(object->Texture, scene.ambientLight);
+        const double light = LightOf(object, scene.ambientLight);
         if (!(light > leastRadiance))
             return;
         const tilt_lens::Emitter emitter = EmitterOf(object, camera, light, leastRadiance);

@@ -62,7 +62,7 @@ class Clues
         if (emitters && object->interior != NULL && object->interior->IOR != 1.0)
             return true;
         bool outshines = false;
-        ForEachPlainTexture(object->Texture, [&](const TEXTURE& plain)
+        ForEachPlainTexture(object, [&](const TEXTURE& plain)
         {
             const FINISH& finish = *plain.Finish;
             for (int c = pRED; c <= pBLUE; c++)
