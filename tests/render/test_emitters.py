@@ -166,6 +166,7 @@ class Searched(rendering.RenderTest):
 
     def test_all_are_found(self):
         self.assertEqual(self.found(scenes.painted())[1], 6)
+        self.assertEqual(self.found("global_settings { radiosity { count 2 } }\n" + scenes.painted())[1], 6)
         self.assertGreaterEqual(self.found(PANE + scenes.six(GLOW, 9, 0.2))[1], 3)  # others appear where they are
         self.assertGreater(self.found(SKY)[1], 60)  # of 94
         self.assertGreater(self.found(WINDOWS)[1], 20)  # of 39

@@ -27,13 +27,11 @@ namespace pov
 namespace
 {
 
-void RunSearch(TiltLensTracer& tracer, RadiosityFunction& radiosity, bool apart, const std::function<void()>& cooperate)
+void RunSearch(TiltLensTracer& tracer, const std::function<void()>& cooperate)
 {
     while (const auto row = tracer.view->search->NextRow())
     {
-        radiosity.BeforeTile(apart ? -1 - int(*row) : 0);
         tracer.Search(*row);
-        radiosity.AfterTile();
         cooperate();
     }
 }
@@ -116,7 +114,7 @@ void TraceTask::TiltLensSampling()
 
     TiltLensTracer& tracer = *TiltLensTracer::Of(trace);
     if (tracer.view->search)
-        RunSearch(tracer, radiosity, highReproducibility, [this] { Cooperate(); });
+        RunSearch(tracer, [this] { Cooperate(); });
     if (tilt_lens::BudgetPilot* const pilot = tracer.view->Pilot())
         RunPilot(*pilot, tracer, radiosity, highReproducibility, [this] { Cooperate(); });
     EstimateWork(tracer);

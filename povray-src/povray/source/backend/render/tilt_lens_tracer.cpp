@@ -109,12 +109,15 @@ DBL TiltLensTracer::TraceAlone(const Ray& ray, unsigned int x, unsigned int y, C
 
 pov::Trace::TraceTicket TiltLensTracer::NewTicket() const
 {
-    return pov::Trace::TraceTicket(trace.maxTraceLevel, trace.adcBailout, trace.sceneData->outputAlpha);
+    return pov::Trace::TraceTicket(trace.maxTraceLevel, trace.adcBailout, trace.sceneData->outputAlpha, radiosityDepth);
 }
 
 void TiltLensTracer::Search(std::size_t row)
 {
+    const SceneRadiositySettings& radiosity = trace.sceneData->radiositySettings;
+    radiosityDepth = radiosity.radiosityEnabled ? radiosity.recursionLimit : 0;
     view->search->Take(row, *this);
+    radiosityDepth = 0;
 }
 
 const Camera& TiltLensTracer::GetCamera() const

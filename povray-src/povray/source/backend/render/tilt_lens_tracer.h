@@ -40,6 +40,7 @@ class TiltLensTracer : private SampleSeedSource, private tilt_lens::RayTracer
     tilt_lens::SampleTracer samples;
     AreaLightSampler areaLights;
 
+    /// Takes a row of the search for lamps. Without radiosity: its samples would depend on the order of the rows.
     void Search(std::size_t row);
 
     void TracePreview(DBL x, DBL y, DBL width, DBL height, Colour& colour);
@@ -57,6 +58,7 @@ class TiltLensTracer : private SampleSeedSource, private tilt_lens::RayTracer
 
     const tilt_lens::PixelSampler* pixel = NULL;
     unsigned int index = 0;
+    unsigned int radiosityDepth = 0;  ///< at which rays begin
 
     TiltLensTracer(TracePixel& owner, const shared_ptr<TiltLensView>& view);
 
