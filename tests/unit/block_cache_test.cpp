@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "tile_results.h"
+#include "together.h"
 #include "tilt_lens/stop_rule/tile_sampler.h"
 
 namespace tilt_lens
@@ -53,11 +54,7 @@ std::vector<Radiance> PictureOf(int threads, const Tracer& trace)
                     picture[y * kWidth + x] = sampler.Mean(x, y);
         }
     };
-    std::vector<std::future<void>> running;
-    for (int i = 0; i < threads; i++)
-        running.push_back(std::async(std::launch::async, work));
-    for (std::future<void>& one : running)
-        one.get();
+    RunTogether(threads, work);
     EXPECT_EQ(cache.At({1, 1}), nullptr) << "a block that was released is not made again";
     EXPECT_EQ(cache.Size(), 0u);
     return picture;

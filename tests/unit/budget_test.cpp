@@ -7,7 +7,6 @@
 #include <atomic>
 #include <cmath>
 #include <functional>
-#include <future>
 #include <numeric>
 #include <optional>
 #include <stdexcept>
@@ -16,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "tile_results.h"
+#include "together.h"
 #include "tilt_lens/stop_rule/tile_sampler.h"
 
 namespace tilt_lens
@@ -145,25 +145,9 @@ SamplingLimits DenoisedLimits(std::uint32_t max = 1024)
     return limits;
 }
 
-/// Interrupted tasks are asked for again.
 void RunPilot(BudgetPilot& pilot, int threads, const Tracer& trace)
 {
-    const auto work = [&]
-    {
-        while (const auto task = pilot.NextTask())
-            try
-            {
-                pilot.Take(*task, trace);
-            }
-            catch (const std::runtime_error&)
-            {
-            }
-    };
-    std::vector<std::future<void>> running;
-    for (int i = 0; i < threads; i++)
-        running.push_back(std::async(std::launch::async, work));
-    for (std::future<void>& one : running)
-        one.get();
+    TakeTogether(threads, [&] { return pilot.NextTask(); }, [&](const BudgetPilot::Task& task) { pilot.Take(task, trace); });
 }
 
 /// Mean samples of the whole picture, recorded ones included.

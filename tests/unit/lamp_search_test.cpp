@@ -6,7 +6,6 @@
 #include <atomic>
 #include <cmath>
 #include <functional>
-#include <future>
 #include <memory>
 #include <stdexcept>
 #include <vector>
@@ -15,6 +14,7 @@
 
 #include "random_cameras.h"
 #include "tile_results.h"
+#include "together.h"
 
 namespace tilt_lens
 {
@@ -70,25 +70,9 @@ struct World : RayTracer
     }
 };
 
-/// Interrupted rows are asked for again.
 void RunSearch(LampSearch& search, World& world, int threads = 1)
 {
-    const auto work = [&]
-    {
-        while (const auto row = search.NextRow())
-            try
-            {
-                search.Take(*row, world);
-            }
-            catch (const std::runtime_error&)
-            {
-            }
-    };
-    std::vector<std::future<void>> running;
-    for (int i = 0; i < threads; i++)
-        running.push_back(std::async(std::launch::async, work));
-    for (std::future<void>& one : running)
-        one.get();
+    TakeTogether(threads, [&] { return search.NextRow(); }, [&](std::size_t row) { search.Take(row, world); });
 }
 
 std::size_t LampsFound(World& world, const std::vector<Emitter>& known = {})

@@ -5,11 +5,12 @@
 
 #include <atomic>
 #include <functional>
-#include <future>
 #include <stdexcept>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "together.h"
 
 namespace tilt_lens
 {
@@ -18,22 +19,7 @@ namespace
 
 void RunTasks(SharedTasks& tasks, int threads, const std::function<void(std::size_t)>& work, const std::function<void()>& endRound)
 {
-    const auto run = [&]
-    {
-        while (const auto task = tasks.Next())
-            try
-            {
-                tasks.Take(*task, [&] { work(*task); }, endRound);
-            }
-            catch (const std::runtime_error&)
-            {
-            }
-    };
-    std::vector<std::future<void>> running;
-    for (int i = 0; i < threads; i++)
-        running.push_back(std::async(std::launch::async, run));
-    for (std::future<void>& one : running)
-        one.get();
+    TakeTogether(threads, [&] { return tasks.Next(); }, [&](std::size_t task) { tasks.Take(task, [&] { work(task); }, endRound); });
 }
 
 TEST(SharedTasks, TakeEachTaskOfEachRoundOnce)

@@ -21,9 +21,8 @@ constexpr double pi = 3.14159265358979323846;
 EmitterSampling::EmitterSampling(const LensSampler& plain, const SamplingLimits& limits, const std::vector<Emitter>& all) :
     plain(plain), settings(limits.settings), usable(limits.max / Settings::emitterStratum * Settings::emitterStratum)
 {
-    if (limits.FirstRound() < Settings::emitterStratum)
-        return;
-    Add(limits, all);
+    if (limits.AllowAims())
+        Add(limits, all);
 }
 
 void EmitterSampling::Add(const SamplingLimits& limits, const std::vector<Emitter>& more)

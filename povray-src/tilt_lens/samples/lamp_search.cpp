@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "tilt_lens/math/numbers.h"
+#include "tilt_lens/reconstruction/blur_ellipse.h"
 
 namespace tilt_lens
 {
@@ -14,12 +15,12 @@ namespace tilt_lens
 namespace
 {
 
-/// Longest half axis of the circle of confusion of a point on a ray through the lens centre, pixels.
+/// Half of the longer side of the rectangle around a point's circle of confusion, pixels. The point is on a ray through the lens centre.
 /// @param distance  along the ray
 double BlurOfPoint(const SampledCamera& camera, const FilmPoint& film, const LensRay& ray, double distance)
 {
-    const CircleOfConfusion circle = camera.footprint.CircleOf(film, {0.0, 0.0}, Length(ray.direction) / distance - ray.w);
-    return std::max(std::hypot(circle.xa, circle.xb), std::hypot(circle.ya, circle.yb)) * camera.footprint.BoundingRadius();
+    const BlurEllipse blur(camera.footprint.CircleOf(film, {0.0, 0.0}, Length(ray.direction) / distance - ray.w));
+    return std::sqrt(std::max(blur.xx, blur.yy));
 }
 
 double MarginOf(const SampledCamera& camera, double width, double height)

@@ -22,10 +22,11 @@ SampledCamera::SampledCamera(std::shared_ptr<const LensCamera> itsLens, const Sa
                              std::uint32_t itsSeed) :
     lens(std::move(itsLens)),
     limits(WithMinimum(given, lens->CanAimAtEmitters())),
+    aims(lens->CanAimAtEmitters() && limits.AllowAims()),
     spreads(limits.Denoises() && lens->CanSpread()),
     footprint(lens->Solved(), lens->Opening(), picture.width, picture.height),
     lensSampler(lens, picture.width, picture.height),
-    emitters(lensSampler, limits, lens->CanAimAtEmitters() ? picture.emitters : std::vector<Emitter>()),
+    emitters(lensSampler, limits, aims ? picture.emitters : std::vector<Emitter>()),
     seed(itsSeed)
 {
 }

@@ -37,6 +37,9 @@ class SampledCamera
 
     const SamplingLimits limits;
 
+    /// True if samples may be aimed at emitters.
+    const bool aims;
+
     /// True if samples also serve other pixels of their circles.
     const bool spreads;
 

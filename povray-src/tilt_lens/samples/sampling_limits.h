@@ -42,6 +42,9 @@ struct SamplingLimits
         return std::min(max, samples + (settings.halfRounds && more >= Settings::emitterStratum ? more : samples));
     }
 
+    /// Samples can be aimed at emitters only if each pixel has a whole stratum.
+    bool AllowAims() const { return FirstRound() >= Settings::emitterStratum; }
+
     /// @param aims  true if samples may be aimed at emitters
     void SetUsualMinimum(bool aims) { min = std::min(max, aims && Denoises() ? Settings::firstSamples : Settings::firstSamplesAlone); }
 

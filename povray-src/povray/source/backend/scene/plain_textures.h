@@ -18,6 +18,12 @@ inline double BrightestOf(const RGBColour& colour)
     return std::max({0.0, double(colour[pRED]), double(colour[pGREEN]), double(colour[pBLUE])});
 }
 
+/// Radiance of a white surface without light sources.
+inline RGBColour GlowOf(const FINISH& finish, const RGBColour& ambientLight)
+{
+    return finish.Emission + finish.Ambient * ambientLight;
+}
+
 /// Brightest channel of a pigment, 1 is white. It is 1 for patterns with their own colours, and infinite for images with high dynamic
 /// range.
 double BrightestColourOf(const PIGMENT& pigment);

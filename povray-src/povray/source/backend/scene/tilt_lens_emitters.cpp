@@ -33,12 +33,14 @@ double LightOf(ObjectPtr object, const RGBColour& ambientLight)
     double brightest = 0.0;
     ForEachPlainTexture(object, [&](const TEXTURE& plain)
     {
-        const double pattern = BrightestColourOf(*plain.Pigment);
-        for (int c = pRED; c <= pBLUE; c++)
-        {
-            const double colour = plain.Pigment->Type == PLAIN_PATTERN ? plain.Pigment->colour[c] : std::isfinite(pattern) ? pattern : 1.0;
-            brightest = std::max(brightest, colour * (plain.Finish->Emission[c] + plain.Finish->Ambient[c] * ambientLight[c]));
-        }
+        const RGBColour glow = GlowOf(*plain.Finish, ambientLight);
+        if (plain.Pigment->Type == PLAIN_PATTERN)
+            for (int c = pRED; c <= pBLUE; c++)
+                brightest = std::max(brightest, double(plain.Pigment->colour[c]) * glow[c]);
+        else if (const double pattern = BrightestColourOf(*plain.Pigment); std::isfinite(pattern))
+            brightest = std::max(brightest, pattern * BrightestOf(glow));
+        else
+            brightest = std::max(brightest, BrightestOf(glow));
     });
     return brightest;
 }

@@ -94,10 +94,9 @@ TiltLensView::TiltLensView(const Camera& given, ViewData& view, const std::vecto
     rendered(AreaOf(view.GetRenderArea())),
     budget(given.TiltLens.aids.Any() ? 0.0 : given.TiltLens.statement.budget)
 {
-    const std::uint32_t least = camera.limits.FirstRound();
-    const double searchRays = tilt_lens::Settings::searchPart * (budget > 0.0 ? budget - least : camera.limits.max);
-    const bool aims = camera.lens->CanAimAtEmitters() && least >= tilt_lens::Settings::emitterStratum;
-    if (!given.TiltLens.aids.Any() && aims && searchRays >= 1.0 && MayShowUnlistedLamps(*view.GetSceneData(), emitters))
+    const double left = budget > 0.0 ? budget - camera.limits.FirstRound() : camera.limits.max;
+    const double searchRays = tilt_lens::Settings::searchPart * left;
+    if (!given.TiltLens.aids.Any() && camera.aims && searchRays >= 1.0 && MayShowUnlistedLamps(*view.GetSceneData(), emitters))
         search.reset(new tilt_lens::LampSearch(camera, width, height, searchRays));
 }
 

@@ -22,14 +22,9 @@ namespace pov
 namespace
 {
 
-bool IsPattern(const PIGMENT& pigment)
-{
-    return pigment.Type != PLAIN_PATTERN;
-}
-
 bool Outshines(double glow, const PIGMENT& pigment)
 {
-    return IsPattern(pigment) && glow > 0.0 && glow * BrightestColourOf(pigment) > tilt_lens::Settings::searchRadiance;
+    return pigment.Type != PLAIN_PATTERN && glow > 0.0 && glow * BrightestColourOf(pigment) > tilt_lens::Settings::searchRadiance;
 }
 
 bool SkyOutshines(const SKYSPHERE* sky)
@@ -63,11 +58,7 @@ class Clues
             return true;
         bool outshines = false;
         ForEachPlainTexture(object, [&](const TEXTURE& plain)
-        {
-            const FINISH& finish = *plain.Finish;
-            for (int c = pRED; c <= pBLUE; c++)
-                outshines = outshines || Outshines(finish.Emission[c] + finish.Ambient[c] * scene.ambientLight[c], *plain.Pigment);
-        });
+        { outshines = outshines || Outshines(BrightestOf(GlowOf(*plain.Finish, scene.ambientLight)), *plain.Pigment); });
         return outshines;
     }
 };
