@@ -20,15 +20,14 @@ struct RecordedSample
     std::uint16_t x, y;
     std::uint32_t index;
     float radiance[5], expectedEmission;
-    float circle[6];
+    float circle[7];
 
     RecordedSample() = default;
     RecordedSample(const SampleId& id, const SampleResult& result) :
-        x(id.x),
-        y(id.y),
-        index(id.index),
-        expectedEmission(result.expectedEmission),
-        circle{result.circle.x, result.circle.y, result.circle.xa, result.circle.xb, result.circle.ya, result.circle.yb}
+        x(id.x), y(id.y), index(id.index), expectedEmission(result.expectedEmission), circle{result.circle.x,     result.circle.y,
+                                                                                             result.circle.xa,    result.circle.xb,
+                                                                                             result.circle.ya,    result.circle.yb,
+                                                                                             result.circle.weight}
     {
         std::copy(result.radiance.begin(), result.radiance.end(), radiance);
     }
@@ -38,7 +37,7 @@ struct RecordedSample
         SampleResult result;
         std::copy(radiance, radiance + 5, result.radiance.begin());
         result.expectedEmission = expectedEmission;
-        result.circle = {circle[0], circle[1], circle[2], circle[3], circle[4], circle[5], &lens};
+        result.circle = {circle[0], circle[1], circle[2], circle[3], circle[4], circle[5], &lens, circle[6]};
         return result;
     }
 };

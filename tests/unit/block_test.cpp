@@ -125,10 +125,16 @@ TEST(SentSamples, SharpAndExcessSamplesServeTheirOwnPixelAlone)
     const Area area{0, 0, kSide, kSide};
     SentSamples sent(area, 2 * kSide, kSide, kMost);
     const std::vector<std::uint32_t> samples(kSide * kSide, 2 * kMost);
-    sent.Add({3, 3, 0}, Blurred({3, 3, 0}, 1.0, 0.1f));
+    for (std::uint32_t pixel = 0; pixel < kSide * kSide; pixel++)
+    {
+        const SampleId first{pixel % kSide, pixel / kSide, 0};
+        const bool blurs = first.x == 3 && first.y == 3;
+        for (std::uint32_t index = blurs ? 1 : 0; index < kMost; index++)
+            sent.Add({first.x, first.y, index}, Blurred(first, 1.0, 0.1f));
+    }
     sent.Add({3, 3, kMost}, Blurred({3, 3, 0}, 1.0, 3.0f));
     EXPECT_EQ(sent.Spread(samples, 4), nullptr);
-    sent.Add({3, 3, 1}, Blurred({3, 3, 0}, 1.0, 3.0f));
+    sent.Add({3, 3, 0}, Blurred({3, 3, 0}, 1.0, 3.0f));
     const auto spread = sent.Spread(samples, 4);
     ASSERT_NE(spread, nullptr);
     EXPECT_NEAR(spread->OwnWeight(3, 3), 4.0f, 1e-5);
@@ -137,6 +143,57 @@ TEST(SentSamples, SharpAndExcessSamplesServeTheirOwnPixelAlone)
     EXPECT_GT(share, 0.0f);
     EXPECT_LT(share, 4.0f / kMost);
     EXPECT_FLOAT_EQ(*spread->From(SpreadSums::kSquaredShares, 4, 3), share * share);
+}
+
+/// Even light, half of the samples of the left pixels aimed at something small.
+std::shared_ptr<const SpreadSums> PartlyAimed(float blurOfAimed)
+{
+    SentSamples sent({0, 0, kSide, kSide}, 2 * kSide, kSide, kMost);
+    for (std::uint32_t pixel = 0; pixel < kSide * kSide; pixel++)
+        for (std::uint32_t index = 0; index < 4; index++)
+        {
+            const SampleId id{pixel % kSide, pixel / kSide, index};
+            const bool aims = id.x < 8, aimed = aims && index % 2 == 0;
+            const float weight = !aims ? 1.0f : aimed ? 0.1f : 1.9f;
+            SampleResult result = Blurred(id, 0.5 * weight, aimed ? blurOfAimed : 6.0f);
+            result.circle.weight = weight;
+            sent.Add(id, result);
+        }
+    return sent.Spread(std::vector<std::uint32_t>(kSide * kSide, 4), 4);
+}
+
+TEST(SentSamples, WeightsOfAimedSamplesLeaveEvenLightEven)
+{
+    const auto spread = PartlyAimed(2.0f);
+    for (int y = 0; y < int(kSide); y++)
+        for (int x = 0; x < int(kSide); x++)
+            EXPECT_NEAR(*spread->From(SpreadSums::kRed, x, y) / *spread->From(SpreadSums::kShare, x, y), 0.5, 1e-4) << x << ", " << y;
+}
+
+TEST(SentSamples, AimedSamplesServeTheirOwnPixelAsWell)
+{
+    SentSamples sent({0, 0, kSide, kSide}, 2 * kSide, kSide, kMost);
+    for (const std::uint32_t x : {4u, 12u})
+    {
+        SampleResult result = Blurred({x, 8, 0}, 1.0, 2.0f);
+        result.circle.weight = x == 4 ? 0.1f : 1.0f;
+        sent.Add({x, 8, 0}, result);
+    }
+    const auto spread = sent.Spread(std::vector<std::uint32_t>(kSide * kSide, 1), 1);
+    EXPECT_GT(*spread->From(SpreadSums::kRed, 4, 8), 0.05f);
+    EXPECT_EQ(*spread->From(SpreadSums::kRed, 12, 8), 0.0f);
+}
+
+TEST(SentSamples, AimsBesideTheLensAreNotKeptByTheirPixel)
+{
+    SentSamples with({0, 0, kSide, kSide}, 2 * kSide, kSide, kMost);
+    SampleResult beside;
+    beside = Grey(0.0);
+    beside.circle.weight = 0.0f;
+    for (const std::uint32_t index : {0u, 1u})
+        with.Add({5, 5, index}, index == 0 ? Blurred({5, 5, 0}, 1.0, 6.0f) : beside);
+    const auto spread = with.Spread(std::vector<std::uint32_t>(kSide * kSide, 2), 2);
+    EXPECT_LT(spread->OwnShare(5, 5), 0.1f * spread->OwnWeight(5, 5));
 }
 
 } // namespace

@@ -210,7 +210,7 @@ TEST(BudgetPilot, ChoosesTheSameWithManyThreadsAndInterruptions)
 
 TEST(BudgetPilot, SomeBlocksStandForAll)
 {
-    constexpr double budget = 12.0, bytes = 1.9e7;
+    constexpr double budget = 12.0, bytes = 2.1e7;
     std::atomic<std::uint64_t> traced{0};
     const Tracer counting([&](const SampleRun& run, SampleResult* results)
     {

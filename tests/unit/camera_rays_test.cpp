@@ -51,6 +51,7 @@ std::vector<double> NumbersOf(const CameraRays& rays, std::uint32_t i)
             s.a[i],
             s.b[i],
             s.weight[i],
+            s.overPlain[i],
             s.expectedEmission[i],
             rays.origin[0][i],
             rays.origin[1][i],

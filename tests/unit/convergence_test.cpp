@@ -210,7 +210,7 @@ TEST(UpdateConvergence, AnUnboundedVarianceKeepsNoOtherPixelActive)
         Prepared block(Limits(8, 1024, 1e-4), Constant);
         block.Update(8);
         for (PixelEstimate& pixel : block.estimate.pixels)
-            pixel.excess = 0.45f;
+            pixel.excess = 0.9f;
         block.estimate.pixels[100].excess = float(value);
         block.estimate.pixels[100].active = true;
         TakeRound(block.estimate, 16, Constant);
@@ -269,6 +269,26 @@ TEST(UpdateConvergence, FollowsAnEdgeThatAllMissedAtFirst)
     {
         const std::size_t column = i % Settings::blockSide;
         EXPECT_EQ(block.estimate.pixels[i].active, column >= 4 && column <= 6) << i;
+    }
+}
+
+/// Neighbours of a pixel with a late hit, which serves them as well.
+TEST(UpdateConvergence, PixelsThatReceiveALateHitCountOnTheReconstruction)
+{
+    constexpr std::size_t middle = 7 * Settings::blockSide + 7;
+    const auto late = [](const SampleId& id, SampleResult& result)
+    { result = Grey(id.x == kMiddle.left + 7 && id.y == kMiddle.top + 7 && id.index == 9 ? 1.0 : 0.0); };
+    for (const bool forecast : {false, true})
+    {
+        Prepared block(Limits(8, 1024, 6.4e-4), late);
+        ASSERT_FALSE(block.Update(8));
+        block.estimate.spread = WideCircles();
+        for (PixelEstimate& pixel : block.estimate.pixels)
+            pixel.forecast = forecast;
+        block.estimate.pixels[middle].active = true;
+        TakeRound(block.estimate, 16, late);
+        block.Update(16);
+        EXPECT_EQ(block.estimate.pixels[middle + 1].active, !forecast);
     }
 }
 

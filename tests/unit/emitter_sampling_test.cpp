@@ -201,6 +201,31 @@ TEST(EmitterSampling, IsUnbiased)
     }
 }
 
+/// Relative weights are those of a sample of even light through an unvignetted lens: 1 on average.
+TEST(EmitterSampling, RelativeWeightsLeaveVignettingOut)
+{
+    for (const Case& one : Cases())
+    {
+        const Prepared prepared(one);
+        const auto [x, y] = PixelOf(prepared.lens, one.lamps.front());
+        const EmitterSampling::Targets targets = prepared.emitterSampled.TargetsOf(x, y);
+        const PixelSampler sampler(x, y, 1);
+        constexpr std::uint32_t n = 1u << 14;
+        double sum = 0.0;
+        for (std::uint32_t i = 0; i < n; i++)
+        {
+            const SampleId id{std::uint32_t(x), std::uint32_t(y), i};
+            const CameraSample sample = prepared.emitterSampled.Draw(targets, id, sampler(i));
+            sum += sample.weight > 0.0 ? sample.overPlain / n : 0.0;
+            if (sample.weight > 0.0 && one.character.opticalVignetting == 0.0)
+            {
+                ASSERT_EQ(sample.overPlain, sample.weight) << one.name;
+            }
+        }
+        EXPECT_NEAR(sum, 1.0, 0.05) << one.name;
+    }
+}
+
 TEST(EmitterSampling, LowersTheVarianceOfLamps)
 {
     for (const Case& one : Cases())

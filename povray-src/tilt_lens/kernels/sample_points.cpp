@@ -37,6 +37,7 @@ void FindFilmPoints(double column, double row, double width, double height, cons
         Store(samples.x + i, (column + Load<Doubles>(points.pixelX + i)) / width - 0.5);
         Store(samples.y + i, 0.5 - (row + Load<Doubles>(points.pixelY + i)) / height);
         Store(samples.weight + i, Doubles() + 1.0);
+        Store(samples.overPlain + i, Doubles() + 1.0);
         Store(samples.expectedEmission + i, Doubles());
     }
 }

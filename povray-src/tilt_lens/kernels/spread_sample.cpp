@@ -251,9 +251,11 @@ struct RowShares
 };
 
 /// @param first    index of column 0 in a plane
-/// @param value    red, green, blue and 1, weighted
-TILT_LENS_INLINED void AddRow(Planes& planes, int first, const RowShares& shares, const Float4& value, float square)
+/// @param value    as in Send()
+TILT_LENS_INLINED void AddRow(Planes& planes, int first, const RowShares& shares, const Float4& value, float weight)
 {
+    const Float4 weighted = weight * value;
+    const float square = weight * SquareOf(value);
     const auto add = [&planes, first](int sum, int x, const Floats& part) TILT_LENS_INLINED_LAMBDA
     {
         float* const to = planes.sums[sum] + first + x;
@@ -263,15 +265,16 @@ TILT_LENS_INLINED void AddRow(Planes& planes, int first, const RowShares& shares
     {
         const Floats share = shares.From(x);
         for (int c = Planes::kRed; c < Planes::kShare; c++)
-            add(c, x, share * value[c]);
-        const Floats weighted = share * value[int(Planes::kShare)];
-        add(Planes::kShare, x, weighted);
-        add(Planes::kSquaredShares, x, weighted * weighted);
+            add(c, x, share * weighted[c]);
+        add(Planes::kShare, x, share * weighted[int(Planes::kShare)]);
+        const Floats alone = share * weight;
+        add(Planes::kSquaredShares, x, alone * alone);
         add(Planes::kSquares, x, share * square);
     }
 }
 
 /// @param density  null: uniform
+/// @param value    red, green, blue, and CircleOfConfusion::weight
 TILT_LENS_INLINED void Send(Planes& planes, const CirclePixels& pixels, const float* density, float sum, const Float4& value, float weight,
                             int column, int row)
 {
@@ -286,7 +289,9 @@ TILT_LENS_INLINED void Send(Planes& planes, const CirclePixels& pixels, const fl
         Store(ofRows.of + i, toRow * window / (sum * Load<Floats>(ofRows.of + i)));
     }
     LaneNumbers ofOthers = ofColumns;
-    ofOthers.of[kReach] = 0.0f;
+    // a pixel keeps more of an emitter's small circle than of its plain samples, so its received light must have it as well
+    if (value[int(Planes::kShare)] >= 1.0f)
+        ofOthers.of[kReach] = 0.0f;
     for (unsigned int rest = pixels.rows; rest != 0; rest &= rest - 1)
     {
         const int i = __builtin_ctz(rest);
@@ -294,7 +299,7 @@ TILT_LENS_INLINED void Send(Planes& planes, const CirclePixels& pixels, const fl
         if (i == kReach && column >= shares.begin && column < shares.end)
             planes.own[row * int(Settings::blockSide) + column].share += weight * shares.DensityAt(column) * ofRows.of[i];
         const float weighted = weight * ofRows.of[i];
-        AddRow(planes, Planes::PlaceOf(0, row + i - kReach), shares, weighted * value, weighted * SquareOf(value));
+        AddRow(planes, Planes::PlaceOf(0, row + i - kReach), shares, value, weighted);
         if (density != nullptr)
             density += shares.end - shares.begin;
     }
@@ -304,7 +309,7 @@ TILT_LENS_INLINED void Send(Planes& planes, const CirclePixels& pixels, const fl
 
 bool SpreadSample(Planes& planes, int column, int row, const CircleOfConfusion& circle, const double* radiance, float weight)
 {
-    const Float4 value = {float(radiance[0]), float(radiance[1]), float(radiance[2]), 1.0f};
+    const Float4 value = {float(radiance[0]), float(radiance[1]), float(radiance[2]), circle.weight};
     CirclePixels pixels;
     if (IsFinite(SquareOf(value)))
         pixels.Find(circle, column, row);

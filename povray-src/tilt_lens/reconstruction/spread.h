@@ -31,6 +31,7 @@ struct CircleOfConfusion
     float x = 0.0f, y = 0.0f;  ///< place in the pinhole picture
     float xa = 0.0f, xb = 0.0f, ya = 0.0f, yb = 0.0f;  ///< M, row by row
     const LensFootprint* lens = nullptr;  ///< null: serves its own pixel alone
+    float weight = 1.0f;  ///< CameraSample::overPlain
 };
 
 /// The lens's density: a grid of Settings::densityCells squared cells over the square around the aperture.
@@ -88,7 +89,7 @@ struct SpreadPlanes
     static constexpr int kSide = int(Settings::blockSide) + 2 * kReach;
     static constexpr int kMostLanes = sizeof(Float8) / sizeof(float);
 
-    /// Sums of weighted shares, times red, green, blue, 1, and squared colour; last, of squared weighted shares.
+    /// Sums of weighted shares, times red, green, blue, the circle's weight, and squared colour; last, of squared weighted shares.
     enum Sum
     {
         kRed,

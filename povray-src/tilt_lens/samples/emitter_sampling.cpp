@@ -202,7 +202,7 @@ CameraSample EmitterSampling::Draw(const Targets& targets, const SampleId& id, c
     if (Choose(targets, id, point, sample))
         Weigh(targets, sample);
     else
-        sample.weight = 0.0;
+        sample.weight = sample.overPlain = 0.0;
     return sample;
 }
 
@@ -226,18 +226,20 @@ bool EmitterSampling::Choose(const Targets& targets, const SampleId& id, const S
 void EmitterSampling::Weigh(const Targets& targets, CameraSample& sample) const
 {
     sample.weight = 1.0;
-    double density = 1.0 - targets.share;  // relative to plain samples
+    double plainDensity = 1.0;
     if (!plain.vignetting.None())
     {
         const FilmPoint film{sample.x, sample.y};
         const double brightness = plain.vignetting.Brightness(film);
         sample.weight = plain.vignetting.Passes(film, sample.point) ? brightness : 0.0;
         sample.expectedEmission *= brightness * plain.vignetting.OpenShare(film);
-        density *= plain.vignetting.DrawDensity(film);
+        plainDensity = plain.vignetting.DrawDensity(film);
     }
+    double density = (1.0 - targets.share) * plainDensity;
     for (const Targets::Target& target : targets.targets)
         density += target.share * Density(kept[target.emitter], sample);
     sample.weight /= density;
+    sample.overPlain = plainDensity / density;
 }
 
 /// Disc that contains the lens points through which a film point sees an emitter: on the ray, l (1 - s w) = P - s D, and l lies in the

@@ -23,17 +23,18 @@ struct CameraSample
     AperturePoint point;
     double weight;            ///< of the radiance; 0: no ray to trace
     double expectedEmission;  ///< as in SampleResult
+    double overPlain = 1.0;   ///< weight over that of a plain sample: 1 on average, less towards emitters; 0: aimed beside lens or pixel
 };
 
 struct CameraSamples
 {
-    OfGroup x, y, a, b, weight, expectedEmission;
+    OfGroup x, y, a, b, weight, expectedEmission, overPlain;
 
-    CameraSample operator[](std::uint32_t i) const { return {x[i], y[i], {a[i], b[i]}, weight[i], expectedEmission[i]}; }
+    CameraSample operator[](std::uint32_t i) const { return {x[i], y[i], {a[i], b[i]}, weight[i], expectedEmission[i], overPlain[i]}; }
     void Put(std::uint32_t i, const CameraSample& sample)
     {
         x[i] = sample.x, y[i] = sample.y, a[i] = sample.point.a, b[i] = sample.point.b;
-        weight[i] = sample.weight, expectedEmission[i] = sample.expectedEmission;
+        weight[i] = sample.weight, expectedEmission[i] = sample.expectedEmission, overPlain[i] = sample.overPlain;
     }
 };
 

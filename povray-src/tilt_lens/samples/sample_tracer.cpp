@@ -53,6 +53,7 @@ void SampleTracer::TraceRays(const CameraRays& rays, std::uint32_t place, std::u
         if (spreads && weight != 0.0)
             result.circle = camera.footprint.CircleOf({samples.x[at], samples.y[at]}, {samples.a[at], samples.b[at]},
                                                       rays.length[at] / hits[i].distance - rays.w[at]);
+        result.circle.weight = float(samples.overPlain[at]);
     }
 }
 

@@ -31,6 +31,7 @@ struct PixelEstimate
     float target = 0.0f;         ///< variance target, at the last decision
     float excess = 0.0f;         ///< variance after the reconstruction over the target, at the last decision
     float residualVarianceBound = 1.0f;  ///< predicted by the last forecast
+    bool forecast = false;       ///< `excess` counts on this bound
     bool active = true;
 };
 

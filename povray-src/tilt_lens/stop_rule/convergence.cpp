@@ -90,11 +90,14 @@ void Decide(BlockEstimate& estimate, const Neighbourhood& around, std::uint32_t 
         if (pixel.active && pixel.statistics.Samples() < samples)
             continue;
         const bool searching = pixel.active && !HasSearchedEmitters(pixel.statistics, pixel.target, estimate.settings.hiddenEmitterSamples);
-        pixel.active = searching || !(excess[i] <= allowed[i]);  // also if infinite or NaN
+        // those that have stopped go on for what was found around them, not because a noisy pixel needs more of V
+        const double most = pixel.active ? allowed[i] : std::max(1.0, allowed[i]);
+        pixel.active = searching || !(excess[i] <= most);  // also if infinite or NaN
     }
 }
 
-/// Reconsiders converged pixels whose neighbours have hit more since: an edge is then followed from pixel to pixel.
+/// Reconsiders converged pixels whose neighbours have hit more since: an edge is then followed from pixel to pixel. As far as pixels receive
+/// what was hit, the reconstruction counts; otherwise one late hit of a rare highlight would take a whole block to MAX.
 void RaiseWhereNeighboursFoundMore(BlockEstimate& estimate, const std::vector<double>& variances)
 {
     for (std::size_t i = 0; i < variances.size(); i++)
@@ -103,7 +106,8 @@ void RaiseWhereNeighboursFoundMore(BlockEstimate& estimate, const std::vector<do
         const float variance = FiniteFloat(variances[i]);
         if (pixel.active || !(variance > pixel.variance))
             continue;
-        pixel.excess = FiniteFloat(pixel.excess + (double(variance) - pixel.variance) / pixel.target);
+        const double left = pixel.forecast ? 1.0 + estimate.SharedPart(i) * (pixel.residualVarianceBound - 1.0) : 1.0;
+        pixel.excess = FiniteFloat(pixel.excess + left * (double(variance) - pixel.variance) / pixel.target);
         pixel.variance = variance;
     }
 }
@@ -176,6 +180,7 @@ bool UpdateConvergence(BlockEstimate& estimate, const Neighbourhood& around, con
         for (const std::size_t i : candidates)
         {
             PixelEstimate& pixel = estimate.pixels[i];
+            pixel.forecast = reconstructs;
             pixel.excess = FiniteFloat(std::max((reconstructs ? pixel.residualVarianceBound : 1.0) * pixel.variance, lone) / target);
         }
         Decide(estimate, around, samples, limits.FirstRound());

@@ -10,10 +10,16 @@ namespace tilt_lens
 
 void SentSamples::Add(const SampleId& id, const SampleResult& result)
 {
-    if (id.index >= most || !ServesOthers(result.circle))
+    if (id.index >= most || result.circle.weight == 0.0f)  // aimed beside the lens or the pixel
         return;
+    const std::uint32_t pixel = std::uint32_t(block.IndexOf(id.x, id.y));
+    if (!ServesOthers(result.circle))
+    {
+        sharp[pixel]++;
+        return;
+    }
     const Radiance& radiance = result.radiance;
-    Sample sample{result.circle, {float(radiance[0]), float(radiance[1]), float(radiance[2])}, std::uint32_t(block.IndexOf(id.x, id.y))};
+    Sample sample{result.circle, {float(radiance[0]), float(radiance[1]), float(radiance[2])}, pixel};
     sample.circle.x -= block.left;
     sample.circle.y -= block.top;
     kept.push_back(sample);
@@ -27,12 +33,10 @@ std::shared_ptr<const SpreadSums> SentSamples::Spread(const std::vector<std::uin
     std::vector<std::uint32_t> sent;
     for (const std::uint32_t count : samples)
         sent.push_back(std::min(count, most));
-    std::vector<std::uint32_t> sharp = sent;
     for (const Sample& sample : kept)
     {
         const Radiance radiance{sample.radiance[0], sample.radiance[1], sample.radiance[2], 0.0, 0.0};
         spread->Add(sample.pixel % block.width, sample.pixel / block.width, sample.circle, radiance, float(weight) / sent[sample.pixel]);
-        sharp[sample.pixel]--;
     }
     for (std::uint32_t i = 0; i < sent.size(); i++)
         spread->AddSharp(i % block.width, i / block.width, float(weight) * sharp[i] / sent[i]);

@@ -7,6 +7,7 @@
 #ifndef TILT_LENS_SENT_SAMPLES_H
 #define TILT_LENS_SENT_SAMPLES_H
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -24,11 +25,11 @@ class SentSamples
     /// @param width, height  whole picture, pixels
     /// @param most  number of a pixel's samples that serve others, its first
     SentSamples(const Area& block, std::uint32_t width, std::uint32_t height, std::uint32_t most) :
-        block(block), width(width), height(height), most(most)
+        block(block), width(width), height(height), most(most), sharp(block.Size())
     {
     }
 
-    /// Keeps a sample that is among its pixel's first settings.mostSentSamples and serves other pixels.
+    /// Keeps a sample that is among its pixel's first settings.mostSentSamples and serves other pixels; counts one that does not.
     void Add(const SampleId& id, const SampleResult& result);
 
     /// @param samples  of each pixel of the block, row by row
@@ -36,7 +37,11 @@ class SentSamples
     /// @return null if no sample serves another pixel
     std::shared_ptr<const SpreadSums> Spread(const std::vector<std::uint32_t>& samples, std::uint32_t weight) const;
 
-    void Clear() { std::vector<Sample>().swap(kept); }
+    void Clear()
+    {
+        std::vector<Sample>().swap(kept);
+        std::fill(sharp.begin(), sharp.end(), 0);
+    }
     void ReleaseReserve() { kept.shrink_to_fit(); }
 
   private:
@@ -50,6 +55,7 @@ class SentSamples
     const Area block;
     const std::uint32_t width, height, most;
     std::vector<Sample> kept;
+    std::vector<std::uint16_t> sharp;  ///< number of each pixel's samples that serve itself alone
 };
 
 } // namespace tilt_lens
