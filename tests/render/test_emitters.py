@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Small bright lamps reach the requested variance."""
 
+import math
 import re
 
 from tests.render import rendering, scenes
@@ -68,6 +69,30 @@ class Emitters(rendering.RenderTest):
         self.assert_same(rendering.render(scene(scenes.SAMPLES), "+WT3", "+BS13", **SIZE), whole, "threads")
         part = rendering.render(scene(scenes.SAMPLES), "+SR9", "+ER20", **SIZE)
         self.assert_same(part.crop(0, 8, 40, 20), whole.crop(0, 8, 40, 20), "rows")
+
+
+DISC = {"width": 96, "height": 96, "extension": "exr"}
+WALL = "plane { -z, -40 pigment { checker rgb 0.1 rgb 0.5 scale 0.4 } finish { ambient 0 diffuse 0 emission 1 } }\n"
+DISC_CAMERA = (
+    "camera { right x location 0 look_at z angle 30 aperture 2 focal_point 6*z blur_samples 16, 16 variance 1e-9 tilt_lens { } }\n"
+)
+BLURRED_LAMP = "sphere { 20*z, 0.06 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 300 } no_shadow }\n"
+
+
+class DiscOutline(rendering.RenderTest):
+    """The disc of a blurred lamp before a blurred pattern."""
+
+    def test_a_disc_has_no_outline(self):
+        lit, wall = (rendering.render(DISC_CAMERA + WALL + lamp, **DISC).channel("G") for lamp in (BLURRED_LAMP, ""))
+        lamp = [a - b for a, b in zip(lit, wall)]
+        width = DISC["width"]
+        middle = (width - 1) / 2
+        distance = [math.hypot(i % width - middle, i // width - middle) for i in range(width * width)]
+        radius = max(d for d, light in zip(distance, lamp) if light > 0.5 * max(lamp))
+        self.assertGreater(radius, 10)
+        ring = [i for i, d in enumerate(distance) if radius + 1.5 < d < radius + 6]
+        outside = sum(lamp[i] for i in ring) / sum(wall[i] for i in ring)
+        self.assertLess(abs(outside), 0.03, f"radius {radius:.1f}: {outside:+.1%} of the wall's light beside the disc")
 
 
 MIRRORS = {
