@@ -15,6 +15,7 @@ void SentSamples::Add(const SampleId& id, const SampleResult& result)
     const std::uint32_t pixel = std::uint32_t(block.IndexOf(id.x, id.y));
     if (!ServesOthers(result.circle))
     {
+        sharp.resize(block.Size());
         sharp[pixel]++;
         return;
     }
@@ -38,7 +39,7 @@ std::shared_ptr<const SpreadSums> SentSamples::Spread(const std::vector<std::uin
         const Radiance radiance{sample.radiance[0], sample.radiance[1], sample.radiance[2], 0.0, 0.0};
         spread->Add(sample.pixel % block.width, sample.pixel / block.width, sample.circle, radiance, float(weight) / sent[sample.pixel]);
     }
-    for (std::uint32_t i = 0; i < sent.size(); i++)
+    for (std::uint32_t i = 0; i < sharp.size(); i++)
         spread->AddSharp(i % block.width, i / block.width, float(weight) * sharp[i] / sent[i]);
     return spread->IsSpread() ? spread : nullptr;
 }

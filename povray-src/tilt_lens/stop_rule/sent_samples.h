@@ -7,7 +7,6 @@
 #ifndef TILT_LENS_SENT_SAMPLES_H
 #define TILT_LENS_SENT_SAMPLES_H
 
-#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -25,7 +24,7 @@ class SentSamples
     /// @param width, height  whole picture, pixels
     /// @param most  number of a pixel's samples that serve others, its first
     SentSamples(const Area& block, std::uint32_t width, std::uint32_t height, std::uint32_t most) :
-        block(block), width(width), height(height), most(most), sharp(block.Size())
+        block(block), width(width), height(height), most(most)
     {
     }
 
@@ -40,7 +39,7 @@ class SentSamples
     void Clear()
     {
         std::vector<Sample>().swap(kept);
-        std::fill(sharp.begin(), sharp.end(), 0);
+        std::vector<std::uint16_t>().swap(sharp);
     }
     void ReleaseReserve() { kept.shrink_to_fit(); }
 
@@ -55,7 +54,7 @@ class SentSamples
     const Area block;
     const std::uint32_t width, height, most;
     std::vector<Sample> kept;
-    std::vector<std::uint16_t> sharp;  ///< number of each pixel's samples that serve itself alone
+    std::vector<std::uint16_t> sharp;  ///< number of each pixel's samples that serve itself alone; empty if none does
 };
 
 } // namespace tilt_lens
