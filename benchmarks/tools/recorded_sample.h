@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 
 #include "tilt_lens/samples/sample.h"
 
@@ -24,11 +25,11 @@ struct RecordedSample
 
     RecordedSample() = default;
     RecordedSample(const SampleId& id, const SampleResult& result) :
-        x(id.x), y(id.y), index(id.index), expectedEmission(result.expectedEmission), circle{result.circle.x,     result.circle.y,
-                                                                                             result.circle.xa,    result.circle.xb,
-                                                                                             result.circle.ya,    result.circle.yb,
-                                                                                             result.circle.weight}
+        x(id.x), y(id.y), index(id.index), expectedEmission(result.expectedEmission)
     {
+        const CircleOfConfusion& from = result.circle;
+        const float numbers[] = {from.x, from.y, from.xa, from.xb, from.ya, from.yb, from.weight};
+        std::copy(std::begin(numbers), std::end(numbers), circle);
         std::copy(result.radiance.begin(), result.radiance.end(), radiance);
     }
 

@@ -145,8 +145,8 @@ TEST(SentSamples, SharpAndExcessSamplesServeTheirOwnPixelAlone)
     EXPECT_FLOAT_EQ(*spread->From(SpreadSums::kSquaredShares, 4, 3), share * share);
 }
 
-/// Even light, half of the samples of the left pixels aimed at something small.
-std::shared_ptr<const SpreadSums> PartlyAimed(float blurOfAimed)
+/// Half of the samples of the left pixels are aimed at something small.
+TEST(SentSamples, WeightsOfAimedSamplesLeaveEvenLightEven)
 {
     SentSamples sent({0, 0, kSide, kSide}, 2 * kSide, kSide, kMost);
     for (std::uint32_t pixel = 0; pixel < kSide * kSide; pixel++)
@@ -155,16 +155,11 @@ std::shared_ptr<const SpreadSums> PartlyAimed(float blurOfAimed)
             const SampleId id{pixel % kSide, pixel / kSide, index};
             const bool aims = id.x < 8, aimed = aims && index % 2 == 0;
             const float weight = !aims ? 1.0f : aimed ? 0.1f : 1.9f;
-            SampleResult result = Blurred(id, 0.5 * weight, aimed ? blurOfAimed : 6.0f);
+            SampleResult result = Blurred(id, 0.5 * weight, aimed ? 2.0f : 6.0f);
             result.circle.weight = weight;
             sent.Add(id, result);
         }
-    return sent.Spread(std::vector<std::uint32_t>(kSide * kSide, 4), 4);
-}
-
-TEST(SentSamples, WeightsOfAimedSamplesLeaveEvenLightEven)
-{
-    const auto spread = PartlyAimed(2.0f);
+    const auto spread = sent.Spread(std::vector<std::uint32_t>(kSide * kSide, 4), 4);
     for (int y = 0; y < int(kSide); y++)
         for (int x = 0; x < int(kSide); x++)
             EXPECT_NEAR(*spread->From(SpreadSums::kRed, x, y) / *spread->From(SpreadSums::kShare, x, y), 0.5, 1e-4) << x << ", " << y;

@@ -289,7 +289,7 @@ TILT_LENS_INLINED void Send(Planes& planes, const CirclePixels& pixels, const fl
         Store(ofRows.of + i, toRow * window / (sum * Load<Floats>(ofRows.of + i)));
     }
     LaneNumbers ofOthers = ofColumns;
-    // a pixel keeps more of an emitter's small circle than of its plain samples, so its received light must have it as well
+    // a pixel keeps more of a lamp's small circle than of other light, so the received light includes its own aimed samples
     if (value[int(Planes::kShare)] >= 1.0f)
         ofOthers.of[kReach] = 0.0f;
     for (unsigned int rest = pixels.rows; rest != 0; rest &= rest - 1)

@@ -90,14 +90,14 @@ void Decide(BlockEstimate& estimate, const Neighbourhood& around, std::uint32_t 
         if (pixel.active && pixel.statistics.Samples() < samples)
             continue;
         const bool searching = pixel.active && !HasSearchedEmitters(pixel.statistics, pixel.target, estimate.settings.hiddenEmitterSamples);
-        // those that have stopped go on for what was found around them, not because a noisy pixel needs more of V
+        // a pixel that has stopped goes on if its excess grows, not if noisy pixels take more of V
         const double most = pixel.active ? allowed[i] : std::max(1.0, allowed[i]);
         pixel.active = searching || !(excess[i] <= most);  // also if infinite or NaN
     }
 }
 
-/// Reconsiders converged pixels whose neighbours have hit more since: an edge is then followed from pixel to pixel. As far as pixels receive
-/// what was hit, the reconstruction counts; otherwise one late hit of a rare highlight would take a whole block to MAX.
+/// Reconsiders converged pixels whose neighbours have hit more since: an edge is then followed from pixel to pixel. The reconstruction counts
+/// as far as samples serve other pixels; otherwise one late hit of a rare highlight would take a whole block to MAX.
 void RaiseWhereNeighboursFoundMore(BlockEstimate& estimate, const std::vector<double>& variances)
 {
     for (std::size_t i = 0; i < variances.size(); i++)
