@@ -67,6 +67,19 @@ class Progress(rendering.RenderTest):
             self.assertTrue(messages)
             self.assertEqual([percent for _, percent in messages], [100 * i // 48 for i in range(1, 49)])
 
+    def test_before_the_first_tile(self):
+        """The search for lamps, and the trials for a budget."""
+        scene = scenes.camera("scene_unit 100 budget 16", 2, "") + scenes.UNKNOWN_LIGHTS + scenes.painted()
+        said = rendering.render_and_listen(scene, "+WT2", "+V", **SIZE)[1]
+        searched = re.findall(r"Searching for lamps \((\d+)%\)", said)
+        tried = re.findall(r"Choosing the variance for the budget, trial (\d+) \((\d+)%\)", said)
+        for told in ([int(percent) for percent in searched], [(int(trial), int(percent)) for trial, percent in tried]):
+            self.assertGreater(len(told), 5, said)
+            self.assertEqual(told, sorted(told), said)
+        self.assertEqual(tried[-1][1], "100", said)
+        self.assertLess(said.rindex("Searching for"), said.index("Choosing the variance"))
+        self.assertLess(said.rindex("Choosing the variance"), said.index("Rendered"))
+
     def test_continued(self):
         with tempfile.TemporaryDirectory(prefix="tilt_lens.") as name:
             folder = pathlib.Path(name)

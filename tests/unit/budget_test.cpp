@@ -10,6 +10,7 @@
 #include <numeric>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -174,6 +175,22 @@ TEST(BudgetPilot, APictureTakesItsBudget)
         EXPECT_LE(samples + pilot.Lost(), budget);
         EXPECT_GE(samples + pilot.Lost(), 0.9 * budget);
     }
+}
+
+TEST(BudgetPilot, ProgressNeverFalls)
+{
+    BudgetPilot pilot(DenoisedLimits(), kWidth, kHeight, 12.0);
+    std::vector<std::pair<std::size_t, double>> told;
+    while (const auto task = pilot.NextTask())
+    {
+        pilot.Take(*task, Picture);
+        told.push_back({pilot.Progress().round, pilot.Progress().share});
+    }
+    EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+    EXPECT_EQ(told.front().first, 1u);
+    EXPECT_LT(told.front().second, 0.1);
+    EXPECT_GT(told.back().first, 2u);
+    EXPECT_EQ(told.back().second, 1.0);
 }
 
 TEST(BudgetPilot, TracesEachSampleOnce)

@@ -55,5 +55,35 @@ TEST(SharedTasks, EndForAllWhenARoundCannotEnd)
     EXPECT_FALSE(tasks.Next());
 }
 
+TEST(SharedTasks, TellTheRoundAndItsShare)
+{
+    SharedTasks tasks;
+    std::vector<std::size_t> later{4, 0};
+    const auto expect = [&tasks](std::size_t round, double share)
+    {
+        EXPECT_EQ(tasks.Progress().round, round);
+        EXPECT_EQ(tasks.Progress().share, share);
+    };
+    const auto take = [&]
+    {
+        tasks.Take(*tasks.Next(), [] {}, [&]
+        {
+            tasks.BeginRound(later.front());
+            later.erase(later.begin());
+        });
+    };
+    tasks.BeginRound(2);
+    expect(1, 0.0);
+    take();
+    expect(1, 0.5);
+    take();
+    expect(2, 0.0);
+    take();
+    expect(2, 0.25);
+    for (int i = 0; i < 3; i++)
+        take();
+    expect(2, 1.0);
+}
+
 } // namespace
 } // namespace tilt_lens

@@ -126,6 +126,13 @@ void BudgetPilot::Take(const Task& task, const Tracer& trace)
     tasks.Take(task.number, [&] { blocks[task.block]->TakeStep(step, NeighboursOf(task.block), limits, recorded); }, [this] { EndStep(); });
 }
 
+TaskProgress BudgetPilot::Progress() const
+{
+    const TaskProgress now = tasks.Progress();
+    const std::size_t steps = now.round - 1;  // before this one
+    return {1 + steps / Block::kSteps, (steps % Block::kSteps + now.share) / Block::kSteps};
+}
+
 void BudgetPilot::EndStep()
 {
     if (++step == Block::kSteps)

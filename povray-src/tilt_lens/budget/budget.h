@@ -45,6 +45,8 @@ class BudgetPilot
     std::optional<Task> NextTask();
     /// If the tracer throws, another thread gets the task.
     void Take(const Task& task, const Tracer& trace);
+    /// A round tries one variance.
+    TaskProgress Progress() const;
 
     /// @name After the last task.
     /// @{

@@ -33,6 +33,8 @@ class LampSearch
     std::optional<std::size_t> NextRow() { return tasks.Next(); }
     /// If the ray tracer throws, another thread gets the row.
     void Take(std::size_t row, RayTracer& rayTracer);
+    /// A round is a picture.
+    TaskProgress Progress() const { return tasks.Progress(); }
 
     /// @name After the last row
     /// @{

@@ -16,6 +16,12 @@
 namespace tilt_lens
 {
 
+struct TaskProgress
+{
+    std::size_t round;  ///< the first is 1
+    double share;  ///< of the round's tasks that have ended
+};
+
 /// Thread-safe, but for BeginRound().
 class SharedTasks
 {
@@ -24,8 +30,15 @@ class SharedTasks
     /// @param tasks  0: no more rounds
     void BeginRound(std::size_t tasks)
     {
+        round += tasks > 0;
         count = tasks;
         given = ended = 0;
+    }
+
+    TaskProgress Progress() const
+    {
+        const std::lock_guard<std::mutex> lock(mutex);
+        return {round, count == 0 ? 1.0 : double(ended) / count};
     }
 
     /// 0 to the round's count - 1. Waits while other threads take the last tasks of a round; none after the last round.
@@ -76,9 +89,9 @@ class SharedTasks
     }
 
   private:
-    std::mutex mutex;
+    mutable std::mutex mutex;
     std::condition_variable changed;
-    std::size_t count = 0, given = 0, ended = 0;
+    std::size_t round = 0, count = 0, given = 0, ended = 0;
     std::vector<std::size_t> again;  ///< interrupted
 };
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "backend/frame.h"
@@ -27,16 +28,34 @@ namespace pov
 namespace
 {
 
-void RunSearch(TiltLensTracer& tracer, const std::function<void()>& cooperate)
+std::string InPercent(double share)
+{
+    return " (" + std::to_string(int(100.0 * share)) + "%)";
+}
+
+std::string ProgressOf(const tilt_lens::LampSearch& search)
+{
+    const tilt_lens::TaskProgress now = search.Progress();
+    return (now.round == 1 ? "Searching for lamps" : "Searching for small lamps") + InPercent(now.share);
+}
+
+std::string ProgressOf(const tilt_lens::BudgetPilot& pilot)
+{
+    const tilt_lens::TaskProgress now = pilot.Progress();
+    return "Choosing the variance for the budget, trial " + std::to_string(now.round) + InPercent(now.share);
+}
+
+void RunSearch(TiltLensTracer& tracer, ViewData& view, const std::function<void()>& cooperate)
 {
     while (const auto row = tracer.view->search->NextRow())
     {
         tracer.Search(*row);
+        tracer.view->ShowProgress(view, [&] { return ProgressOf(*tracer.view->search); });
         cooperate();
     }
 }
 
-void RunPilot(tilt_lens::BudgetPilot& pilot, TiltLensTracer& tracer, RadiosityFunction& radiosity, bool apart,
+void RunPilot(tilt_lens::BudgetPilot& pilot, TiltLensTracer& tracer, ViewData& view, RadiosityFunction& radiosity, bool apart,
               const std::function<void()>& cooperate)
 {
     const auto trace = [&](const tilt_lens::SampleRun& run, tilt_lens::SampleResult* results) { tracer.samples.Trace(run, results); };
@@ -46,6 +65,7 @@ void RunPilot(tilt_lens::BudgetPilot& pilot, TiltLensTracer& tracer, RadiosityFu
         radiosity.BeforeTile(apart ? -1 - int(task->block) : 0);
         pilot.Take(*task, trace);
         radiosity.AfterTile();
+        tracer.view->ShowProgress(view, [&] { return ProgressOf(pilot); });
         cooperate();
     }
 }
@@ -114,9 +134,9 @@ void TraceTask::TiltLensSampling()
 
     TiltLensTracer& tracer = *TiltLensTracer::Of(trace);
     if (tracer.view->search)
-        RunSearch(tracer, [this] { Cooperate(); });
+        RunSearch(tracer, *GetViewData(), [this] { Cooperate(); });
     if (tilt_lens::BudgetPilot* const pilot = tracer.view->Pilot())
-        RunPilot(*pilot, tracer, radiosity, highReproducibility, [this] { Cooperate(); });
+        RunPilot(*pilot, tracer, *GetViewData(), radiosity, highReproducibility, [this] { Cooperate(); });
     EstimateWork(tracer);
     while (GetViewData()->GetNextRectangle(rect, serial) == true)
     {

@@ -185,6 +185,18 @@ void TiltLensView::AddProgress(POVMS_Object& message) const
     }
 }
 
+void TiltLensView::ShowProgress(ViewData& view, const std::function<std::string()>& text)
+{
+    boost::mutex::scoped_lock lock(shownMutex);
+    const std::string now = text();
+    if (now == shown)
+        return;
+    shown = now;
+    POVMS_Object message(kPOVObjectClass_RenderProgress);
+    message.SetString(kPOVAttrib_TiltLensProgress, now.c_str());
+    RenderBackend::SendViewOutput(view.GetViewId(), view.GetSceneData()->frontendAddress, kPOVMsgIdent_Progress, message);
+}
+
 void View::StartTiltLens(unsigned int& tracingmethod)
 {
     Camera& camera = viewData.camera;

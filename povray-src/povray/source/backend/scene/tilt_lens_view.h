@@ -8,6 +8,8 @@
 #define POVRAY_BACKEND_TILT_LENS_VIEW_H
 
 #include <cstdint>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include <boost/thread.hpp>
@@ -93,6 +95,9 @@ class TiltLensView
 
     void AddProgress(POVMS_Object& message) const;
 
+    /// Shows a line of progress before the first tile, if it is new. Thread-safe.
+    void ShowProgress(ViewData& view, const std::function<std::string()>& text);
+
   private:
     TiltLensView(const Camera& camera, ViewData& view, const std::vector<tilt_lens::Emitter>& emitters);
 
@@ -102,6 +107,9 @@ class TiltLensView
     boost::mutex pilotMutex;
     boost::mutex blocksMutex;
     shared_ptr<tilt_lens::BlockCache> blocks;
+
+    boost::mutex shownMutex;
+    std::string shown;
 
     mutable boost::mutex statisticsMutex;
     tilt_lens::SamplingStatistics statistics;
