@@ -157,7 +157,7 @@ def arguments():
 
 
 def measure_scenes(lab, args, results, runs):
-    for scene in (scene for scene in suite.SCENES if scene.name in args.scenes):
+    for scene in (versus_stock.with_fine_reference(lab, scene) for scene in suite.SCENES if scene.name in args.scenes):
         untilted = versus_stock.measure(lab, scene)
         lines = versus_stock.compare(scene, untilted)
         for line in lines:

@@ -7,7 +7,7 @@ from benchmarks import accumulation, gallery, suite, tables, tilted, versus_stoc
 
 def compare(lab, scenes):
     found, runs = {"untilted": {}, "tilted": {}}, []
-    for scene in scenes:
+    for scene in (versus_stock.with_fine_reference(lab, scene) for scene in scenes):
         untilted = versus_stock.measure(lab, scene)
         lines = versus_stock.compare(scene, untilted)
         for line in lines:

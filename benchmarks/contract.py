@@ -16,7 +16,7 @@ LEAST, MOST = 4, 262144  # no pixel should need the largest number
 
 
 def claims(lab, shot, reference, first, count, variance):
-    key = digest("claims", lab.hashes[lab.ours], shot.settings(), shot.sources(), reference.name, first, count)
+    key = digest("claims and their room", lab.hashes[lab.ours], shot.settings(), shot.sources(), reference.name, first, count)
     record = lab.runs.get((key, 0))
     if record is None:
         pictures = [lab.work / "claims" / f"{key}-{number}.png" for number in range(count)]
@@ -51,6 +51,7 @@ def measure(lab, scene, tilted, part=None):
                 "more": found["share_more"],
                 "share_of_more": found["mse_more"] / variance,
                 "beyond": found["beyond"],
+                "room": found["room"],
                 "reference_mse": found["reference_mse"],
                 "samples": found["samples"],
                 "estimated": found["estimated"],

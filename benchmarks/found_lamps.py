@@ -7,7 +7,7 @@ import dataclasses
 import math
 
 from benchmarks.lab import SCENES as SCENE_FOLDER
-from benchmarks.lab import TILT_LENS, Shot, digest, samples_spent
+from benchmarks.lab import GREATEST_NOISE, TILT_LENS, Shot, digest, samples_spent
 
 FOLDER = SCENE_FOLDER / "found_lamps"
 SIZE, QUICK_SIZE = (320, 240), (160, 120)
@@ -15,7 +15,6 @@ SEEDS = (1, 2, 3)
 FIRST_SEED = 101  # of the references; no picture shares them
 BATCHES = 4
 LEAST_SAMPLES, MOST_SAMPLES, QUICK_MOST = 256, 16384, 1024  # of each pixel of a reference
-GREATEST_NOISE = 0.1  # of a reference, in the MSE that is measured with it
 VARIANCE = 1e-4
 
 

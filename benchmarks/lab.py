@@ -16,6 +16,7 @@ from tools.repository import ROOT
 
 SCENES = ROOT / "benchmarks" / "scenes"
 PINHOLE, STOCK, TILT_LENS, ACCUMULATE = range(4)  # Form of scenes/camera.inc
+GREATEST_NOISE = 0.1  # of a reference, in an MSE that is measured with it
 
 
 def digest(*parts):

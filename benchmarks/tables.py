@@ -65,13 +65,16 @@ def ratio_cell(line):
 def ratios(comparisons):
     targets = sorted({line["target"] for lines in comparisons.values() for line in lines})
     cells = [{line["target"]: ratio_cell(line) for line in lines} for lines in comparisons.values()]
-    rows = [[TITLES[scene], *[found.get(target, "not compared") for target in targets]] for scene, found in zip(comparisons, cells)]
+    rows = [
+        [TITLES[scene], *[found.get(target, "not compared") for target in targets], f"{max(line['noise'] for line in lines):.2f}"]
+        for (scene, lines), found in zip(comparisons.items(), cells)
+    ]
     means = [
         geometric_mean(line["ratio"] for lines in comparisons.values() for line in lines if line["target"] == target and line["ratio"])
         for target in targets
     ]
-    rows.append(["geometric mean", *[f"{mean:.1f}" if mean else "-" for mean in means]])
-    return table(["scene", *[f"error of stock with {target} samples" for target in targets]], rows)
+    rows.append(["geometric mean", *[f"{mean:.1f}" if mean else "-" for mean in means], ""])
+    return table(["scene", *[f"error of stock with {target} samples" for target in targets], "the reference's part"], rows)
 
 
 def found_ratios(comparisons):

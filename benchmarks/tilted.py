@@ -50,6 +50,7 @@ def compare(records, errors):
         program: [(record["cpu"], record["rmse"]) for record in records if record["program"] == program]
         for program in ("accumulation", "tilt_lens")
     }
+    noise = next(record["reference_mse"] for record in records if record["program"] == "tilt_lens")
     lines = []
     for target, error in sorted(errors.items()):
         took, other = (seconds_for(fronts[program], error) for program in ("tilt_lens", "accumulation"))
@@ -60,6 +61,7 @@ def compare(records, errors):
             {
                 "target": target,
                 "rmse": error,
+                "noise": noise / error**2,
                 "accumulation": other,
                 "at_least": at_least,
                 "tilt_lens": took,

@@ -118,7 +118,7 @@ class Claims
                 sum += off * off - own * own;
             }
             m_sum += sum;
-            m_beyond += worst > 2.0 * std::sqrt(m_variance);
+            m_worst.push_back(worst);
             if (samples.values[pixel] > m_moreThan)
             {
                 m_sumOfMore += sum;
@@ -138,7 +138,8 @@ class Claims
         const double values = double(m_reference.mean.Size()) * m_pictures;
         return {{"mse", std::max(0.0, m_sum / values)},
                 {"reference_mse", MeanSquare(m_reference.error)},
-                {"beyond", m_beyond / (values / 3.0)},
+                {"beyond", Beyond()},
+                {"room", Room()},
                 {"share_more", m_more / values},
                 {"mse_more", m_more == 0.0 ? 0.0 : std::max(0.0, m_sumOfMore / m_more)},
                 {"estimated", PerPixel(m_estimated)},
@@ -146,6 +147,21 @@ class Claims
     }
 
   private:
+    double Beyond() const
+    {
+        const double bound = 2.0 * std::sqrt(m_variance);
+        return double(std::count_if(m_worst.begin(), m_worst.end(), [=](double worst) { return worst > bound; })) / double(m_worst.size());
+    }
+
+    /// Factor by which the squared errors could grow until 5 % of the pixels are beyond.
+    double Room() const
+    {
+        std::vector<double> worst = m_worst;
+        const auto one = worst.begin() + std::ptrdiff_t(0.95 * double(worst.size()));
+        std::nth_element(worst.begin(), one, worst.end());
+        return 4.0 * m_variance / std::max(1e-12, *one * *one);
+    }
+
     /// Clipped above white, where the standard error is relative.
     bool IsBelowWhite(std::size_t pixel) const
     {
@@ -164,7 +180,8 @@ class Claims
     const Reference& m_reference;
     double m_variance, m_moreThan;
     int m_pictures = 0;
-    double m_sum = 0.0, m_beyond = 0.0, m_sumOfMore = 0.0, m_more = 0.0, m_estimated = 0.0, m_true = 0.0;
+    std::vector<double> m_worst;  ///< greatest error of each pixel's colours
+    double m_sum = 0.0, m_sumOfMore = 0.0, m_more = 0.0, m_estimated = 0.0, m_true = 0.0;
 };
 
 struct Arguments

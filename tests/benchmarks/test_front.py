@@ -45,7 +45,7 @@ class Front(unittest.TestCase):
 class Comparison(unittest.TestCase):
     @staticmethod
     def record(program, setting, cpu, rmse):
-        return {"program": program, "setting": setting, "cpu": cpu, "rmse": rmse}
+        return {"program": program, "setting": setting, "cpu": cpu, "rmse": rmse, "mse": rmse**2, "reference_mse": 1e-5}
 
     def test_stock_is_taken_at_its_best_setting_for_the_error(self):
         records = [
@@ -55,6 +55,7 @@ class Comparison(unittest.TestCase):
         ]
         (line,) = versus_stock.compare(suite.SCENES[0], records)
         self.assertEqual((line["target"], line["rmse"], line["ratio"]), (100, 0.02, 2.0))
+        self.assertAlmostEqual(line["noise"], 0.025)
 
     def test_error_unreached_by_tilt_lens_has_no_ratio(self):
         records = [self.record("stock", "100", 10.0, 0.02), self.record("tilt_lens", "8 0.001", 2.0, 0.03)]

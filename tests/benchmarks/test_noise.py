@@ -104,6 +104,7 @@ class Noise(unittest.TestCase):
         self.assertAlmostEqual(line["mse"], 0.03125, places=6)
         self.assertAlmostEqual(line["mse_more"], 0.0625, places=6)
         self.assertEqual((line["share_more"], line["beyond"]), (0.5, 0.5))
+        self.assertAlmostEqual(line["room"], 0.64, places=6)
         line = self.claims(*pictures, more_than=32)
         self.assertEqual((line["mse_more"], line["share_more"]), (0.0, 0.0))
 

@@ -63,6 +63,14 @@ class SmallRun(unittest.TestCase):
         fine = self.lab.run(self.lab.ours, SCENE.shot(TILT_LENS, declare=suite.limits(8, 16384, 1e-4)), reference)
         self.assertLess(math.sqrt(fine["mse"]), 0.01)
 
+    def test_reference_is_finer_than_the_errors(self):
+        rough = dataclasses.replace(SCENE, reference=(2, 32))
+        fine = versus_stock.with_fine_reference(self.lab, rough)
+        self.assertGreater(fine.reference[1], rough.reference[1])
+        reference = self.lab.reference(SCENE.shot(TILT_LENS), *fine.reference)
+        record = self.lab.run(self.lab.stock, SCENE.shot(STOCK, declare=suite.limits(100, 100, 0)), reference)
+        self.assertLess(record["reference_mse"], 0.15 * record["mse"])
+
     def test_every_target_has_a_ratio(self):
         self.assertEqual([line["target"] for line in self.lines], [37, 100])
         for line in self.lines:
