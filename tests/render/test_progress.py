@@ -72,11 +72,11 @@ class Progress(rendering.RenderTest):
         scene = scenes.camera("scene_unit 100 budget 16", 2, "") + scenes.UNKNOWN_LIGHTS + scenes.painted()
         said = rendering.render_and_listen(scene, "+WT2", "+V", **SIZE)[1]
         searched = re.findall(r"Searching for lamps \((\d+)%\)", said)
-        tried = re.findall(r"Choosing the variance for the budget, trial (\d+) \((\d+)%\)", said)
-        for told in ([int(percent) for percent in searched], [(int(trial), int(percent)) for trial, percent in tried]):
+        tried = re.findall(r"Choosing the variance for the budget \((\d+)%\)", said)
+        for told in (list(map(int, searched)), list(map(int, tried))):
             self.assertGreater(len(told), 5, said)
             self.assertEqual(told, sorted(told), said)
-        self.assertEqual(tried[-1][1], "100", said)
+            self.assertGreater(told[-1], 85, said)
         self.assertLess(said.rindex("Searching for"), said.index("Choosing the variance"))
         self.assertLess(said.rindex("Choosing the variance"), said.index("Rendered"))
 

@@ -122,15 +122,21 @@ std::optional<BudgetPilot::Task> BudgetPilot::NextTask()
 void BudgetPilot::Take(const Task& task, const Tracer& trace)
 {
     SampleRecord& record = *records[task.block];
-    const Tracer recorded([&](const SampleRun& run, SampleResult* results) { record.GetOrTrace(run, results, trace); });
+    const Tracer recorded([&](const SampleRun& run, SampleResult* results)
+    {
+        const std::uint64_t before = record.Samples();
+        record.GetOrTrace(run, results, trace);
+        traced += record.Samples() - before;
+    });
     tasks.Take(task.number, [&] { blocks[task.block]->TakeStep(step, NeighboursOf(task.block), limits, recorded); }, [this] { EndStep(); });
 }
 
-TaskProgress BudgetPilot::Progress() const
+double BudgetPilot::Progress() const
 {
-    const TaskProgress now = tasks.Progress();
-    const std::size_t steps = now.round - 1;  // before this one
-    return {1 + steps / Block::kSteps, (steps % Block::kSteps + now.share) / Block::kSteps};
+    double pixels = 0.0;
+    for (const std::size_t place : all.counted)
+        pixels += PixelsOf(place).Size();
+    return std::min(1.0, traced / (budget * pixels));
 }
 
 void BudgetPilot::EndStep()

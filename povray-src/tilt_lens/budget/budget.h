@@ -10,6 +10,7 @@
 #ifndef TILT_LENS_BUDGET_H
 #define TILT_LENS_BUDGET_H
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -45,8 +46,8 @@ class BudgetPilot
     std::optional<Task> NextTask();
     /// If the tracer throws, another thread gets the task.
     void Take(const Task& task, const Tracer& trace);
-    /// A round tries one variance.
-    TaskProgress Progress() const;
+    /// Traced so far, over the samples that the budget allows the counted blocks; at most 1.
+    double Progress() const;
 
     /// @name After the last task.
     /// @{
@@ -76,6 +77,7 @@ class BudgetPilot
 
     std::vector<std::unique_ptr<Block>> blocks;  ///< by place; null: not looked at
     std::vector<std::unique_ptr<SampleRecord>> records;  ///< by place
+    std::atomic<std::uint64_t> traced{0};  ///< samples
     BudgetRounds trials, rounds;
     double recorded = 0.0;
     BudgetRound chosen;

@@ -41,16 +41,16 @@ std::string ProgressOf(const tilt_lens::LampSearch& search)
 
 std::string ProgressOf(const tilt_lens::BudgetPilot& pilot)
 {
-    const tilt_lens::TaskProgress now = pilot.Progress();
-    return "Choosing the variance for the budget, trial " + std::to_string(now.round) + InPercent(now.share);
+    return "Choosing the variance for the budget" + InPercent(pilot.Progress());
 }
 
 void RunSearch(TiltLensTracer& tracer, ViewData& view, const std::function<void()>& cooperate)
 {
     while (const auto row = tracer.view->search->NextRow())
     {
-        tracer.Search(*row);
+        // before the row: afterwards another thread may be ahead, and show a later step
         tracer.view->ShowProgress(view, [&] { return ProgressOf(*tracer.view->search); });
+        tracer.Search(*row);
         cooperate();
     }
 }
@@ -61,11 +61,11 @@ void RunPilot(tilt_lens::BudgetPilot& pilot, TiltLensTracer& tracer, ViewData& v
     const auto trace = [&](const tilt_lens::SampleRun& run, tilt_lens::SampleResult* results) { tracer.samples.Trace(run, results); };
     while (const auto task = pilot.NextTask())
     {
+        tracer.view->ShowProgress(view, [&] { return ProgressOf(pilot); });  // before the task, as above
         // reproducible pixels must not depend on light found here
         radiosity.BeforeTile(apart ? -1 - int(task->block) : 0);
         pilot.Take(*task, trace);
         radiosity.AfterTile();
-        tracer.view->ShowProgress(view, [&] { return ProgressOf(pilot); });
         cooperate();
     }
 }
