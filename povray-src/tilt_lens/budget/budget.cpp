@@ -37,6 +37,8 @@ BudgetPilot::BudgetPilot(const SamplingLimits& given, std::uint32_t itsWidth, st
     for (std::size_t i = std::min(stride / 2, all.counted.size() - 1); i < all.counted.size(); i += stride)
         places.push_back(all.counted[i]);
     few = WithNeighbours(places);
+    for (const std::size_t place : all.counted)
+        allowed += budget * PixelsOf(place).Size();
     for (const std::size_t place : all.looked)
         records[place] = std::make_unique<SampleRecord>(PixelsOf(place), limits.settings.mostSentSamples);
     BeginRound(*NextTrialVariance(trials, budget, limits.FirstRound()));
@@ -122,21 +124,19 @@ std::optional<BudgetPilot::Task> BudgetPilot::NextTask()
 void BudgetPilot::Take(const Task& task, const Tracer& trace)
 {
     SampleRecord& record = *records[task.block];
-    const Tracer recorded([&](const SampleRun& run, SampleResult* results)
+    const Tracer recorded([&](const SampleRun& run, SampleResult* results) { record.GetOrTrace(run, results, trace); });
+    const auto work = [&]
     {
         const std::uint64_t before = record.Samples();
-        record.GetOrTrace(run, results, trace);
+        blocks[task.block]->TakeStep(step, NeighboursOf(task.block), limits, recorded);
         traced += record.Samples() - before;
-    });
-    tasks.Take(task.number, [&] { blocks[task.block]->TakeStep(step, NeighboursOf(task.block), limits, recorded); }, [this] { EndStep(); });
+    };
+    tasks.Take(task.number, work, [this] { EndStep(); });
 }
 
 double BudgetPilot::Progress() const
 {
-    double pixels = 0.0;
-    for (const std::size_t place : all.counted)
-        pixels += PixelsOf(place).Size();
-    return std::min(1.0, traced / (budget * pixels));
+    return std::min(1.0, traced / allowed);
 }
 
 void BudgetPilot::EndStep()

@@ -77,7 +77,8 @@ class BudgetPilot
 
     std::vector<std::unique_ptr<Block>> blocks;  ///< by place; null: not looked at
     std::vector<std::unique_ptr<SampleRecord>> records;  ///< by place
-    std::atomic<std::uint64_t> traced{0};  ///< samples
+    double allowed = 0.0;  ///< samples of the counted blocks within the budget
+    std::atomic<std::uint64_t> traced{0};  ///< samples of all blocks
     BudgetRounds trials, rounds;
     double recorded = 0.0;
     BudgetRound chosen;
