@@ -73,17 +73,21 @@ class Emitters(rendering.RenderTest):
 
 DISC = {"width": 96, "height": 96, "extension": "exr"}
 WALL = "plane { -z, -40 pigment { checker rgb 0.1 rgb 0.5 scale 0.4 } finish { ambient 0 diffuse 0 emission 1 } }\n"
-DISC_CAMERA = (
-    "camera { right x location 0 look_at z angle 30 aperture 2 focal_point 6*z blur_samples 16, 16 variance 1e-9 tilt_lens { } }\n"
-)
 BLURRED_LAMP = "sphere { 20*z, 0.06 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 300 } no_shadow }\n"
 
 
-class DiscOutline(rendering.RenderTest):
-    """The disc of a blurred lamp before a blurred pattern."""
+def disc_camera(samples, lens=""):
+    view = "right x location 0 look_at z angle 30 aperture 2 focal_point 6*z"
+    return f"camera {{ {view} blur_samples {samples} tilt_lens {{ {lens} }} }}\n"
 
-    def test_a_disc_has_no_outline(self):
-        lit, wall = (rendering.render(DISC_CAMERA + WALL + lamp, **DISC).channel("G") for lamp in (BLURRED_LAMP, ""))
+
+class DiscOutline(rendering.RenderTest):
+    """Discs of blurred lamps."""
+
+    def test_a_disc_before_a_blurred_pattern_has_no_outline(self):
+        lit, wall = (
+            rendering.render(disc_camera("16, 16 variance 1e-9") + WALL + lamp, **DISC).channel("G") for lamp in (BLURRED_LAMP, "")
+        )
         lamp = [a - b for a, b in zip(lit, wall)]
         width = DISC["width"]
         middle = (width - 1) / 2
@@ -93,6 +97,15 @@ class DiscOutline(rendering.RenderTest):
         ring = [i for i, d in enumerate(distance) if radius + 1.5 < d < radius + 6]
         outside = sum(lamp[i] for i in ring) / sum(wall[i] for i in ring)
         self.assertLess(abs(outside), 0.03, f"radius {radius:.1f}: {outside:+.1%} of the wall's light beside the disc")
+
+    def test_the_rim_of_a_small_disc_is_smooth(self):
+        """Pixels at the rim see the lamp from a part of their square."""
+        small = {"width": 32, "height": 32, "extension": "exr"}
+        lamps = "".join(f"sphere {{ <{x}, {y}, 20>, 0.03 {GLOW} no_shadow }}\n" for x in (-2.3, 0.1, 2.2) for y in (-2.1, 0.2, 2.4))
+        cameras = (disc_camera("1024, 1024 variance 0", "denoise off"), disc_camera("8, 8 variance 1e-9"))
+        exact, few = (rendering.render(camera + lamps, **small).channel("G") for camera in cameras)
+        error = sum((a - b) ** 2 for a, b in zip(few, exact)) / sum(a**2 for a in exact)
+        self.assertLess(error, 0.01, f"squared error {error:.4f} of the squared light")
 
 
 MIRRORS = {

@@ -120,7 +120,7 @@ TEST(SentSamples, EachPixelHasTheSameTotalWeight)
     EXPECT_NEAR(unequal->OwnWeight(0, 0), 4.0f, 1e-5);
 }
 
-TEST(SentSamples, SharpAndExcessSamplesServeTheirOwnPixelAlone)
+TEST(SentSamples, SharpSamplesServeTheirOwnPixelAloneAndExcessSamplesNone)
 {
     const Area area{0, 0, kSide, kSide};
     SentSamples sent(area, 2 * kSide, kSide, kMost);
@@ -139,10 +139,11 @@ TEST(SentSamples, SharpAndExcessSamplesServeTheirOwnPixelAlone)
     ASSERT_NE(spread, nullptr);
     EXPECT_NEAR(spread->OwnWeight(3, 3), 4.0f, 1e-5);
     EXPECT_NEAR(spread->OwnShare(4, 3), 4.0f, 1e-5);
-    const float share = *spread->From(SpreadSums::kShare, 4, 3);
+    const float share = *spread->From(SpreadSums::kShare, 4, 3) - 4.0f;
     EXPECT_GT(share, 0.0f);
     EXPECT_LT(share, 4.0f / kMost);
-    EXPECT_FLOAT_EQ(*spread->From(SpreadSums::kSquaredShares, 4, 3), share * share);
+    EXPECT_NEAR(*spread->From(SpreadSums::kSquaredShares, 4, 3), 16.0f / kMost + share * share, 1e-5);
+    EXPECT_EQ(*spread->From(SpreadSums::kRed, 9, 9), 4.0f);
 }
 
 /// Half of the samples of the left pixels are aimed at something small.
@@ -165,7 +166,7 @@ TEST(SentSamples, WeightsOfAimedSamplesLeaveEvenLightEven)
             EXPECT_NEAR(*spread->From(SpreadSums::kRed, x, y) / *spread->From(SpreadSums::kShare, x, y), 0.5, 1e-4) << x << ", " << y;
 }
 
-TEST(SentSamples, AimedSamplesServeTheirOwnPixelAsWell)
+TEST(SentSamples, ServeTheirOwnPixelAsOthers)
 {
     SentSamples sent({0, 0, kSide, kSide}, 2 * kSide, kSide, kMost);
     for (const std::uint32_t x : {4u, 12u})
@@ -175,8 +176,8 @@ TEST(SentSamples, AimedSamplesServeTheirOwnPixelAsWell)
         sent.Add({x, 8, 0}, result);
     }
     const auto spread = sent.Spread(std::vector<std::uint32_t>(kSide * kSide, 1), 1);
-    EXPECT_GT(*spread->From(SpreadSums::kRed, 4, 8), 0.05f);
-    EXPECT_EQ(*spread->From(SpreadSums::kRed, 12, 8), 0.0f);
+    for (const int x : {4, 12})
+        EXPECT_FLOAT_EQ(*spread->From(SpreadSums::kRed, x, 8), spread->OwnShare(x, 8));
 }
 
 TEST(SentSamples, AimsBesideTheLensAreNotKeptByTheirPixel)

@@ -69,10 +69,11 @@ TEST(LensFootprint, CirclesMatchRaysThroughTheLens)
         if (Dot(point, lens.axis) < 0.2 * Length(point))
             continue;
         const CircleOfConfusion circle = footprint.CircleOf(film, at, 1.0 / T - ray.w);
-        const FilmPoint middle = PixelOf(lens, ChiefThrough(lens, point));
+        const FilmPoint middle = PixelOf(lens, ChiefThrough(lens, point)), own{(film.x + 0.5) * kWidth, (0.5 - film.y) * kHeight};
+        const FilmPoint place{own.x - std::floor(own.x) - 0.5, own.y - std::floor(own.y) - 0.5};
         const double size = std::hypot(std::hypot(circle.xa, circle.xb), std::hypot(circle.ya, circle.yb));
-        ASSERT_NEAR(circle.x, middle.x, 1e-4 * (1.0 + size + std::abs(middle.x))) << request;
-        ASSERT_NEAR(circle.y, middle.y, 1e-4 * (1.0 + size + std::abs(middle.y))) << request;
+        ASSERT_NEAR(circle.x, middle.x - place.x, 1e-4 * (1.0 + size + std::abs(middle.x))) << request;
+        ASSERT_NEAR(circle.y, middle.y - place.y, 1e-4 * (1.0 + size + std::abs(middle.y))) << request;
         const double step = 1e-3;
         for (const AperturePoint& other : {AperturePoint{step, 0.0}, AperturePoint{0.0, step}})
         {
@@ -108,11 +109,11 @@ TEST(SpreadSums, SharesAddUpToNearlyOneInCirclesWithinReach)
     for (const Aperture& aperture : {Aperture::Disc(), Aperture::Polygon(5, 0.3)})
     {
         const LensFootprint lens(RoundLens(), aperture, kWidth, kHeight);
-        for (const float radius : {0.3f, 1.0f, 1.7f, 4.0f, 6.9f, 30.0f, 1e6f})
+        for (const float radius : {0.4f, 1.0f, 1.7f, 4.0f, 6.9f, 30.0f, 1e6f})
         {
             auto sums = std::make_unique<SpreadSums>(kBlock, kWidth, kHeight);
             sums->Add(3, 15, CircleAt(lens, 3.2f + 0.5f * radius, 15.4f, radius), Radiance{0.5, 1.0, 2.0, 0.0, 0.0});
-            double share = sums->OwnShare(3, 15), red = 0.5 * sums->OwnShare(3, 15);
+            double share = 0.0, red = 0.0;
             for (int y = -kReach; y < kSide + kReach; y++)
                 for (int x = -kReach; x < kSide + kReach; x++)
                 {
@@ -120,15 +121,17 @@ TEST(SpreadSums, SharesAddUpToNearlyOneInCirclesWithinReach)
                     share += both[3];
                     red += both[0];
                     EXPECT_TRUE(both[3] == 0.0f || std::max(std::abs(x - 3), std::abs(y - 15)) <= kReach);
-                    EXPECT_TRUE(both[3] == 0.0f || std::hypot(x + 0.5 - 3.2 - 0.5 * radius, y + 0.5 - 15.4) <= 1.0001 * radius);
+                    EXPECT_TRUE(both[3] == 0.0f || (x == 3 && y == 15) ||
+                                std::hypot(x + 0.5 - 3.2 - 0.5 * radius, y + 0.5 - 15.4) <= 1.0001 * radius);
                 }
             EXPECT_NEAR(red, 0.5 * share, 1e-5) << radius;
             if (radius <= 4.0f)
             {
                 EXPECT_NEAR(share, 1.0, radius < 2.0f ? 0.02 : 0.12) << radius;
             }
+            EXPECT_EQ(sums->OwnShare(3, 15), SentTo(*sums, 3, 15)[3]);
             EXPECT_EQ(sums->OwnWeight(3, 15), 1.0f);
-            EXPECT_EQ(sums->IsSpread(), radius >= 1.0f) << radius;
+            EXPECT_EQ(sums->IsSpread(), radius >= 0.5f) << radius;
         }
     }
 }
@@ -187,8 +190,7 @@ TEST(SpreadSums, SharesAreTheWindowOverThatOfAllPossibleSenders)
         for (int v = row - kReach; v <= row + kReach; v++)
             for (int u = column - kReach; u <= column + kReach; u++)
             {
-                const bool own = u == column && v == row;
-                const double share = own ? sums->OwnShare(u, v) : SentTo(*sums, u, v)[3];
+                const double share = SentTo(*sums, u, v)[3];
                 const double expected = distance(u, v) <= 1.0 ? window(u, v) * senders(column, row) / (sum * senders(u, v)) : 0.0;
                 ASSERT_NEAR(share, expected, 1e-4 * expected) << u << ", " << v << " of " << x << ", " << y << ": " << a << ", " << b;
             }
@@ -307,7 +309,7 @@ TEST(PaddedSpread, EvenRadianceStaysEvenAndSharesSumToNearlyTheSamples)
             const int at = PaddedBlock::At(x, y);
             EXPECT_NEAR(received->mean[0][at], 0.7, 1e-6);
             EXPECT_NEAR(received->variance[at], 0.0, 1e-5);
-            EXPECT_NEAR(received->share[at] + 2.0 * received->ownShare[at], 2.0, 0.2);
+            EXPECT_NEAR(received->share[at], 2.0, 0.2);
         }
 }
 
@@ -338,6 +340,31 @@ TEST(PaddedSpread, PixelsThatReceivedNothingKeepTheirOwnMean)
     EXPECT_LT(received->ownShare[PaddedBlock::At(0, 0)], 0.2f);
     EXPECT_EQ(received->share[PaddedBlock::At(10, 10)], 0.0f);
     EXPECT_EQ(received->ownShare[PaddedBlock::At(10, 10)], 1.0f);
+}
+
+TEST(Reconstruction, SharpSamplesHaveTheirPartOfTheSpreadEstimate)
+{
+    const LensFootprint lens(RoundLens(), Aperture::Disc(), kWidth, kHeight);
+    std::array<std::unique_ptr<SpreadSums>, 9> sums;
+    std::array<BlockStatistics, 9> statistics;
+    PaddedSpread::Sent sent;
+    std::array<const BlockStatistics*, 9> known;
+    for (int i = 0; i < 9; i++)
+    {
+        sums[i] = std::make_unique<SpreadSums>(kBlock, kWidth, kHeight);
+        for (int y = 0; y < kSide; y++)
+            for (int x = 0; x < kSide; x++)
+            {
+                statistics[i].Set(x, y, {0.5, 0.5, 0.5, 0.0, 0.0}, 0.75, 0.0, 2);
+                sums[i]->Add(x, y, CircleAt(lens, x + 0.5f, y + 0.5f, 3.0f), Radiance{});
+                sums[i]->Add(x, y, CircleAt(lens, x + 0.5f, y + 0.5f, 0.1f), {1.0, 1.0, 1.0, 0.0, 0.0});
+            }
+        sent[i] = sums[i].get();
+        known[i] = &statistics[i];
+    }
+    const ReconstructedBlock estimates = SpreadEstimates(PaddedBlock(known), Settings(), *PaddedSpread::Of(sent));
+    for (const float mean : estimates.mean[0])
+        EXPECT_NEAR(mean, 0.5, 0.03);
 }
 
 TEST(Reconstruction, SpreadSamplesRemoveMoreNoiseThanFilters)

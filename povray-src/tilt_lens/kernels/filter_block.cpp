@@ -287,7 +287,7 @@ class RiskWeightedMean
     }
 };
 
-/// Spread estimate S = t q + (1 - t) o (docs/sampling.md, section 5); corrected, S + mean9(q - S).
+/// Spread estimate S = (1 - u) q + u o (docs/sampling.md, section 5); corrected, S + mean9(q - S).
 template<bool kCorrected>
 class SpreadCandidate
 {
@@ -297,8 +297,10 @@ class SpreadCandidate
         const SpreadInput& spread = *around.spread;
         for (std::size_t i = 0; i < kPlane; i++)
         {
-            const float share = spread.ownShare[i] * around.samples[i];
-            ownTap[i] = spread.share[i] > 0.0f ? share / (share + spread.share[i]) : 1.0f;
+            const float own = spread.ownShare[i] * around.samples[i], further = own - spread.ownShare[i] * spread.ownWeight[i];
+            const float all = further + spread.share[i];
+            ofReceived[i] = spread.share[i] > 0.0f ? spread.share[i] / all : 0.0f;
+            ownTap[i] = own < all ? own / all : 1.0f;
             const float others = spread.samples[i], noise = around.noise[i];
             const float noiseOfOthers = others > 0.0f && noise > 0.0f ? Min(spread.variance[i] / (others * noise), 1.0f) : 1.0f;
             const float left = ownTap[i] * ownTap[i] + (1.0f - ownTap[i]) * (1.0f - ownTap[i]) * noiseOfOthers;
@@ -322,6 +324,7 @@ class SpreadCandidate
   private:
     static constexpr float mean9Tap = kTaps[kMean9][0] * kTaps[kMean9][0];  ///< also the variance that it leaves
 
+    Plane ofReceived;  ///< u
     Plane ownTap, deviationLeft, weight;
     Plane means[3];
 
@@ -330,7 +333,7 @@ class SpreadCandidate
         Plane missing, rows;
         for (std::size_t i = 0; i < kPlane; i++)
         {
-            missing[i] = (1.0f - ownTap[i]) * (own[i] - others[i]);
+            missing[i] = ofReceived[i] * (own[i] - others[i]);
             estimate[i] = own[i] - missing[i];
         }
         if (!kCorrected)

@@ -288,14 +288,10 @@ TILT_LENS_INLINED void Send(Planes& planes, const CirclePixels& pixels, const fl
         Store(ofColumns.of + i, toColumn * window / Load<Floats>(ofColumns.of + i));
         Store(ofRows.of + i, toRow * window / (sum * Load<Floats>(ofRows.of + i)));
     }
-    LaneNumbers ofOthers = ofColumns;
-    // a pixel keeps more of a lamp's small circle than of other light, so the received light includes its own aimed samples
-    if (value[int(Planes::kShare)] >= 1.0f)
-        ofOthers.of[kReach] = 0.0f;
     for (unsigned int rest = pixels.rows; rest != 0; rest &= rest - 1)
     {
         const int i = __builtin_ctz(rest);
-        const RowShares shares{(i == kReach ? ofOthers : ofColumns).of - (column - kReach), pixels.begin[i], pixels.end[i], density};
+        const RowShares shares{ofColumns.of - (column - kReach), pixels.begin[i], pixels.end[i], density};
         if (i == kReach && column >= shares.begin && column < shares.end)
             planes.own[row * int(Settings::blockSide) + column].share += weight * shares.DensityAt(column) * ofRows.of[i];
         const float weighted = weight * ofRows.of[i];

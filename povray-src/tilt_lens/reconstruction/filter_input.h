@@ -14,7 +14,7 @@ namespace tilt_lens
 
 struct SpreadInput
 {
-    const float *mean[3], *variance, *share, *samples, *ownShare;
+    const float *mean[3], *variance, *share, *samples, *ownShare, *ownWeight;
 };
 
 struct FilterInput

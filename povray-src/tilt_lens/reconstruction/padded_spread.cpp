@@ -39,6 +39,7 @@ PaddedSpread::PaddedSpread(const Sent& sent)
 {
     const auto received = std::make_unique<Received>();
     ownShare.fill(1.0f);
+    ownWeight.fill(0.0f);
     for (int i = 0; i < 9; i++)
     {
         if (sent[i] == nullptr)
@@ -51,8 +52,11 @@ PaddedSpread::PaddedSpread(const Sent& sent)
                        &(*received)[sum][PaddedBlock::At(begin, y)]);
         for (int y = std::max(-kBorder, top); y < std::min(kSide + kBorder, top + kSide); y++)
             for (int x = std::max(-kBorder, left); x < std::min(kSide + kBorder, left + kSide); x++)
-                if (sent[i]->OwnWeight(x - left, y - top) > 0.0f)
-                    ownShare[PaddedBlock::At(x, y)] = sent[i]->OwnShare(x - left, y - top) / sent[i]->OwnWeight(x - left, y - top);
+                if (const float weight = sent[i]->OwnWeight(x - left, y - top); weight > 0.0f)
+                {
+                    ownShare[PaddedBlock::At(x, y)] = sent[i]->OwnShare(x - left, y - top) / weight;
+                    ownWeight[PaddedBlock::At(x, y)] = weight;
+                }
     }
     for (std::size_t at = 0; at < share.size(); at += 4)
         Finish(*received, at);

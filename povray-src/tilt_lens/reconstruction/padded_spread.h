@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 
 /// @file padded_spread.h
-/// Samples received by a block's pixels and its border from other pixels: docs/sampling.md, section 5.
+/// Samples that serve a block's pixels and its border, their own and those of other pixels: docs/sampling.md, section 5.
 
 #ifndef TILT_LENS_PADDED_SPREAD_H
 #define TILT_LENS_PADDED_SPREAD_H
@@ -28,11 +28,12 @@ class PaddedSpread
     /// @return      null if nothing was spread
     static std::shared_ptr<const PaddedSpread> Of(const Sent& sent);
 
-    std::array<Plane, 3> mean;  ///< of received samples; 0: none
+    std::array<Plane, 3> mean;  ///< of received samples, a pixel's own included; 0: none
     Plane variance;  ///< of one received sample, summed over the channels
-    Plane share;  ///< sum of received shares times weights
+    Plane share;  ///< sum of received shares times weights; about that of a pixel's sample weights
     Plane samples;  ///< number of received samples if all had equal shares
     Plane ownShare;  ///< mean share that a sample keeps for its pixel
+    Plane ownWeight;  ///< sum of its own received samples; 0 in blocks that sent nothing
 
   private:
     using Received = std::array<Plane, SpreadSums::kSums>;

@@ -34,7 +34,8 @@ SpreadInput InputOf(const PaddedSpread& spread)
             spread.variance.data(),
             spread.share.data(),
             spread.samples.data(),
-            spread.ownShare.data()};
+            spread.ownShare.data(),
+            spread.ownWeight.data()};
 }
 
 FilterOutput OutputTo(ReconstructedBlock& block)

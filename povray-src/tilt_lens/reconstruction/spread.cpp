@@ -3,6 +3,8 @@
 
 #include "tilt_lens/reconstruction/spread.h"
 
+#include <cmath>
+
 #include "tilt_lens/math/kernels.h"
 #include "tilt_lens/reconstruction/blur_ellipse.h"
 
@@ -36,6 +38,17 @@ DensityTable LensFootprint::Density() const
     return {density.data(), 0.5f * Settings::densityCells / boundingRadius};
 }
 
+namespace
+{
+
+/// @param place  pixels
+double FromPixelCentre(double place)
+{
+    return place - std::floor(place) - 0.5;
+}
+
+} // namespace
+
 /// The hit lies along the chief ray plus `vergence` times the lens point; M is the derivative by the lens point.
 CircleOfConfusion LensFootprint::CircleOf(const FilmPoint& film, const AperturePoint& point, double vergence) const
 {
@@ -44,8 +57,8 @@ CircleOfConfusion LensFootprint::CircleOf(const FilmPoint& film, const ApertureP
     const double y = (film.y + vergence * (point.a * axisA.y + point.b * axisB.y)) / depth;
     const double central = vergence * (1.0 - point.a * axisA.focus - point.b * axisB.focus) / depth;
     const double across = width * central, down = -height * central;
-    return {float((x + 0.5) * width),
-            float((0.5 - y) * height),
+    return {float((x + 0.5) * width - FromPixelCentre((film.x + 0.5) * width)),
+            float((0.5 - y) * height - FromPixelCentre((0.5 - film.y) * height)),
             float(across * (axisA.x - x * axisA.depth)),
             float(across * (axisB.x - x * axisB.depth)),
             float(down * (axisA.y - y * axisA.depth)),
@@ -63,17 +76,39 @@ SpreadSums::SpreadSums(const Area& block, double width, double height) :
 {
 }
 
-void SpreadSums::AddSharp(int column, int row, float weight)
+void SharpSamples::Add(const Radiance& radiance, float weight)
+{
+    const float colours[] = {float(radiance[0]), float(radiance[1]), float(radiance[2])};
+    const float square = colours[0] * colours[0] + colours[1] * colours[1] + colours[2] * colours[2];
+    count++;
+    weights += weight;
+    if (!IsFinite(square))
+        return;
+    squares += square;
+    for (int c = 0; c < 3; c++)
+        light[c] += colours[c];
+}
+
+void SpreadSums::Add(int column, int row, const SharpSamples& sharp, float weight)
 {
     Own& itself = own[row * int(Settings::blockSide) + column];
-    itself.share += weight;
-    itself.weight += weight;
+    itself.share += weight * sharp.count;
+    itself.weight += weight * sharp.count;
+    const int at = PlaceOf(column, row);
+    for (int c = 0; c < 3; c++)
+        sums[c][at] += weight * sharp.light[c];
+    sums[kShare][at] += weight * sharp.weights;
+    sums[kSquares][at] += weight * sharp.squares;
+    sums[kSquaredShares][at] += weight * weight * sharp.count;
 }
 
 void SpreadSums::Add(int column, int row, const CircleOfConfusion& circle, const Radiance& radiance, float weight)
 {
-    if (!kernels->spreadSample(*this, column, row, circle, radiance.data(), weight))
-        AddSharp(column, row, weight);
+    if (kernels->spreadSample(*this, column, row, circle, radiance.data(), weight))
+        return;
+    SharpSamples alone;
+    alone.Add(radiance, circle.weight);
+    Add(column, row, alone, weight);
 }
 
 } // namespace tilt_lens

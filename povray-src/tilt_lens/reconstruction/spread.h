@@ -24,11 +24,11 @@ namespace tilt_lens
 
 class LensFootprint;
 
-/// The pixels that see a point, to first order: the pixel (`x`, `y`) - M (a, b) sees it through the lens point (a, b), in aperture
-/// coordinates. Frame: pixels to the right and down.
+/// The pixels that see a point, to first order: the pixel with the centre (`x`, `y`) - M (a, b) sees it through the lens point (a, b), in
+/// aperture coordinates, from the place in its square that the sample has in its own. Frame: pixels to the right and down.
 struct CircleOfConfusion
 {
-    float x = 0.0f, y = 0.0f;  ///< place in the pinhole picture
+    float x = 0.0f, y = 0.0f;  ///< place in the pinhole picture, less that of the sample from its pixel's centre
     float xa = 0.0f, xb = 0.0f, ya = 0.0f, yb = 0.0f;  ///< M, row by row
     const LensFootprint* lens = nullptr;  ///< null: serves its own pixel alone
     float weight = 1.0f;  ///< CameraSample::overPlain
@@ -82,6 +82,16 @@ struct PictureSpan
 /// True if the circle contains another pixel's centre.
 bool ServesOthers(const CircleOfConfusion& circle);
 
+/// Samples of one pixel that serve no other.
+struct SharpSamples
+{
+    float light[3]{}, squares = 0.0f, weights = 0.0f;  ///< sums of radiance, its square, and CircleOfConfusion::weight
+    std::uint32_t count = 0;
+
+    /// A radiance that is not finite counts as black.
+    void Add(const Radiance& radiance, float weight);
+};
+
 struct SpreadPlanes
 {
     /// Greatest spread along rows and columns, pixels.
@@ -129,9 +139,9 @@ class SpreadSums : private SpreadPlanes
     /// @param circle       centre relative to the block's upper left corner
     /// @param weight       equal sum for every pixel: a surface is not brighter where more rays have hit it
     void Add(int column, int row, const CircleOfConfusion& circle, const Radiance& radiance, float weight = 1.0f);
-    void AddSharp(int column, int row, float weight);
+    void Add(int column, int row, const SharpSamples& sharp, float weight);
 
-    /// Received by pixel (x, y) and those to its right; -kReach <= x, y < blockSide + kReach.
+    /// For pixel (x, y) and those to its right, its own samples included; -kReach <= x, y < blockSide + kReach.
     const float* From(Sum sum, int x, int y) const { return &sums[sum][PlaceOf(x, y)]; }
     /// Weighted shares that a pixel's samples kept for it.
     float OwnShare(int x, int y) const { return own[y * int(Settings::blockSide) + x].share; }

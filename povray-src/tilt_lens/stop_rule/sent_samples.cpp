@@ -16,7 +16,7 @@ void SentSamples::Add(const SampleId& id, const SampleResult& result)
     if (!ServesOthers(result.circle))
     {
         sharp.resize(block.Size());
-        sharp[pixel]++;
+        sharp[pixel].Add(result.radiance, result.circle.weight);
         return;
     }
     const Radiance& radiance = result.radiance;
@@ -40,7 +40,7 @@ std::shared_ptr<const SpreadSums> SentSamples::Spread(const std::vector<std::uin
         spread->Add(sample.pixel % block.width, sample.pixel / block.width, sample.circle, radiance, float(weight) / sent[sample.pixel]);
     }
     for (std::uint32_t i = 0; i < sharp.size(); i++)
-        spread->AddSharp(i % block.width, i / block.width, float(weight) * sharp[i] / sent[i]);
+        spread->Add(i % block.width, i / block.width, sharp[i], float(weight) / sent[i]);
     return spread->IsSpread() ? spread : nullptr;
 }
 

@@ -28,7 +28,7 @@ class SentSamples
     {
     }
 
-    /// Keeps a sample that is among its pixel's first settings.mostSentSamples and serves other pixels; counts one that does not.
+    /// Keeps a sample that is among its pixel's first settings.mostSentSamples and serves other pixels; adds up those that do not.
     void Add(const SampleId& id, const SampleResult& result);
 
     /// @param samples  of each pixel of the block, row by row
@@ -39,7 +39,7 @@ class SentSamples
     void Clear()
     {
         std::vector<Sample>().swap(kept);
-        std::vector<std::uint16_t>().swap(sharp);
+        std::vector<SharpSamples>().swap(sharp);
     }
     void ReleaseReserve() { kept.shrink_to_fit(); }
 
@@ -54,7 +54,7 @@ class SentSamples
     const Area block;
     const std::uint32_t width, height, most;
     std::vector<Sample> kept;
-    std::vector<std::uint16_t> sharp;  ///< number of each pixel's samples that serve itself alone; empty if none does
+    std::vector<SharpSamples> sharp;  ///< of each pixel; empty if all serve others
 };
 
 } // namespace tilt_lens
