@@ -29,8 +29,7 @@ struct BlurEllipse
         determinant = IsFinite(circle.x) ? xx * yy - xy * xy : 0.0f;
     }
 
-    /// A narrower one contains at most one pixel's centre.
-    TILT_LENS_INLINED bool IsWide() const { return Min(yy, xx) >= 0.25f && determinant >= 0.0625f && IsFinite(determinant); }
+    TILT_LENS_INLINED bool IsWide() const { return Min(yy, xx) >= 1.0f && determinant >= 1.0f && IsFinite(determinant); }
 };
 
 } // namespace tilt_lens
