@@ -301,9 +301,9 @@ class SpreadCandidate
             const float all = further + spread.share[i];
             ofReceived[i] = spread.share[i] > 0.0f ? spread.share[i] / all : 0.0f;
             ownTap[i] = own < all ? own / all : 1.0f;
-            const float others = spread.samples[i], noise = around.noise[i];
-            const float noiseOfOthers = others > 0.0f && noise > 0.0f ? Min(spread.variance[i] / (others * noise), 1.0f) : 1.0f;
-            const float left = ownTap[i] * ownTap[i] + (1.0f - ownTap[i]) * (1.0f - ownTap[i]) * noiseOfOthers;
+            const float received = spread.samples[i], noise = around.noise[i];
+            const float noiseOfMean = received > 0.0f && noise > 0.0f ? Min(spread.variance[i] / (received * noise), 1.0f) : 1.0f;
+            const float left = ownTap[i] * ownTap[i] + (1.0f - ownTap[i]) * (1.0f - ownTap[i]) * noiseOfMean;
             deviationLeft[i] = SquareRoot(left + (kCorrected ? mean9Tap : 0.0f));
             weight[i] = around.settings.spreadWeight * (1.0f + around.settings.missedWeight * around.missed[i]);
         }
@@ -328,12 +328,12 @@ class SpreadCandidate
     Plane ownTap, deviationLeft, weight;
     Plane means[3];
 
-    TILT_LENS_INLINED void Estimate(const float* own, const float* others, const Part& part, float* estimate) const
+    TILT_LENS_INLINED void Estimate(const float* own, const float* received, const Part& part, float* estimate) const
     {
         Plane missing, rows;
         for (std::size_t i = 0; i < kPlane; i++)
         {
-            missing[i] = ofReceived[i] * (own[i] - others[i]);
+            missing[i] = ofReceived[i] * (own[i] - received[i]);
             estimate[i] = own[i] - missing[i];
         }
         if (!kCorrected)

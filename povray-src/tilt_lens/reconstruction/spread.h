@@ -25,7 +25,7 @@ namespace tilt_lens
 class LensFootprint;
 
 /// The pixels that see a point, to first order: the pixel with the centre (`x`, `y`) - M (a, b) sees it through the lens point (a, b), in
-/// aperture coordinates, from the place in its square that the sample has in its own. Frame: pixels to the right and down.
+/// aperture coordinates. It sees it from the place in its square that the sample has in its own. Frame: pixels to the right and down.
 struct CircleOfConfusion
 {
     float x = 0.0f, y = 0.0f;  ///< place in the pinhole picture, less that of the sample from its pixel's centre

@@ -53,8 +53,8 @@ std::vector<double> WeightsOf(const BlockEstimate& estimate, const std::vector<R
 
 CircleVariance::CircleVariance(const PaddedSpread* spread, std::size_t at, double samples)
 {
-    const double others = spread != nullptr ? spread->samples[at] : 0.0;
-    if (!(others > 0.0))
+    const double received = spread != nullptr ? spread->samples[at] : 0.0;
+    if (!(received > 0.0))
         return;
     total = spread->variance[at];
     double squaredMean = 0.0;
@@ -62,7 +62,7 @@ CircleVariance::CircleVariance(const PaddedSpread* spread, std::size_t at, doubl
         squaredMean += Square(plane[at]);
     if (!(squaredMean > 0.0) || !std::isfinite(squaredMean + total))
         return;
-    weight = std::exp(-HitProbability(squaredMean, total) * samples) * others / (others + samples - 1.0);
+    weight = std::exp(-HitProbability(squaredMean, total) * samples) * received / (received + samples - 1.0);
     for (std::size_t c = 0; c < spread->mean.size(); c++)
         share[c] = Square(spread->mean[c][at]) / squaredMean;
 }

@@ -21,8 +21,8 @@
 namespace tilt_lens
 {
 
-/// Variance of one sample by other pixels' samples, spread over their circles of confusion: a pixel that missed a blurred lamp learns about
-/// it.
+/// Variance of one sample by all that a pixel receives, its own and those of circles of confusion around: a pixel that missed a blurred
+/// lamp learns about it.
 class CircleVariance
 {
   public:
