@@ -83,8 +83,9 @@ install_packages()
     # The lists at hand may do.
     "${as_root[@]}" apt-get -q update >&2 || say "(the package lists could not be renewed; trying with those at hand)"
     mapfile -t missing < <(choose_packages "${missing[@]}")
+    # A new machine often updates itself and holds the lock; apt-get waits up to 300 s and says so.
     "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
-        apt-get -q --yes --no-install-recommends install "${missing[@]}" >&2 \
+        apt-get -q -o DPkg::Lock::Timeout=300 --yes --no-install-recommends install "${missing[@]}" >&2 \
         || die "the packages could not be installed (see above; is there a network?). By hand:" "  $by_hand"
 }
 

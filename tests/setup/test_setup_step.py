@@ -80,6 +80,11 @@ class SetupStep(CommandTest):
         self.assertIn("install tilt-lens-missing\n", log)
         self.assertNotIn("tilt-lens-check-only", log)
 
+    def test_installation_waits_for_another_apt(self):
+        self.tool("id", "echo 0")
+        self.command(self.copy / "render", APT_EXIT="100")
+        self.assertRegex((self.folder / "apt.log").read_text(encoding="utf-8"), r"-o DPkg::Lock::Timeout=\d+ .*install tilt-lens-missing")
+
     def test_sudo_installs(self):
         self.tool("id", "echo 1000")
         self.tool("sudo", '[ "$1" = -n ] && exit 0; exec "$@"')
