@@ -137,6 +137,11 @@ std::shared_ptr<const SolvedLens> Made(const char* text, bool dispersion)
     return std::make_shared<const SolvedLens>(Solve({{}, {0.0, 0.0, 1.0}, {1.5, 0.0, 0.0}, {0.0, 1.0, 0.0}}, given));
 }
 
+Vec3 Numbered(const double (&vectors)[3][4], int i)
+{
+    return {vectors[0][i], vectors[1][i], vectors[2][i]};
+}
+
 TEST(Dispersion, RaysOfAColourFocusWhereItsLensDoes)
 {
     const auto shared = Made(kSinglet, true);
@@ -148,26 +153,27 @@ TEST(Dispersion, RaysOfAColourFocusWhereItsLensDoes)
     // thin lens equation of each colour
     const double film = lens.filmDistance * Dot(lens.axis, lens.normal);
     const FilmPoint onAxis{0.0, -Dot(lens.normal, lens.axisUp) / Dot(lens.normal, lens.axis) * lens.filmDistance / 24.0};
-    double apart[2];
-    for (const double hue : {-1.0, 1.0})
+    double apart[3];
+    for (int hue = 0; hue < 3; hue++)
     {
         double zz = 0.0, zx = 0.0;
         for (int i = 0; i < 64; i++)
         {
-            const GlassSample sample = camera.DrawColour(onAxis, (i % 8 + 0.5) / 8.0, (i / 8 + 0.5) / 8.0, i, hue);
-            ASSERT_GT(sample.weight, 0.0);
-            const Vec3 direction = Normalized(sample.ray.direction);
+            FourGlassSamples samples;
+            camera.DrawColours(onAxis, (i % 8 + 0.5) / 8.0, (i / 8 + 0.5) / 8.0, i, {-1.0, 0.0, 1.0}, samples);
+            ASSERT_GT(samples.weight[hue], 0.0);
+            const Vec3 origin = Numbered(samples.origin, hue), direction = Normalized(Numbered(samples.direction, hue));
             const double slope = Dot(direction, Normalized(lens.lensX)) / Dot(direction, lens.normal);
-            const double place = Dot(sample.ray.origin, Normalized(lens.lensX)) - slope * Dot(sample.ray.origin, lens.normal);
+            const double place = Dot(origin, Normalized(lens.lensX)) - slope * Dot(origin, lens.normal);
             zz += place * place;
             zx += slope * place;
         }
-        apart[hue > 0.0] = -zx / zz;
+        apart[hue] = -zx / zz;
     }
     const Prescription prescription = ReadPrescription(kSinglet);
     const auto power = [&](double hue) { return 1.0 / GlassLens(AtWavelength(prescription, WavelengthOf(hue))).Cardinal().focalLength; };
     // both have equal spherical aberration
-    EXPECT_NEAR((apart[0] - apart[1]) / (power(-47.0 / 48.0) - power(47.0 / 48.0)), 1.0, 0.03) << film;
+    EXPECT_NEAR((apart[0] - apart[2]) / (power(-47.0 / 48.0) - power(47.0 / 48.0)), 1.0, 0.03) << film;
 }
 
 TEST(Dispersion, DoesNotChangeBrightness)
@@ -180,12 +186,15 @@ TEST(Dispersion, DoesNotChangeBrightness)
         const FilmPoint film{(i % 20) / 20.0 - 0.48, (i / 20) / 20.0 - 0.48};
         const double weight = plain.Draw(film, 0.3, 0.7, i).weight;
         EXPECT_EQ(camera.Brightness(film), weight);
-        for (const double hue : {-1.0, 0.1, 1.0})
+        FourGlassSamples samples, reversed;
+        camera.DrawColours(film, 0.3, 0.7, i, {-1.0, 0.1, 1.0}, samples);
+        camera.DrawColours(film, 0.3, 0.7, i, {1.0, 0.1, -1.0}, reversed);
+        for (int hue = 0; hue < 3; hue++)
         {
-            const GlassSample sample = camera.DrawColour(film, 0.3, 0.7, i, hue), again = camera.DrawColour(film, 0.3, 0.7, i, hue);
-            EXPECT_EQ(sample.weight, weight);
-            EXPECT_EQ(sample.ray.direction.x, again.ray.direction.x);
-            refused += sample.refused;
+            EXPECT_EQ(samples.weight[hue], weight);
+            EXPECT_EQ(samples.direction[0][hue], reversed.direction[0][2 - hue]);
+            EXPECT_EQ(samples.refused[hue], reversed.refused[2 - hue]);
+            refused += samples.refused[hue];
             drawn++;
         }
     }

@@ -230,6 +230,15 @@ TEST(GlassLens, RaysAreReversible)
     }
 }
 
+/// @param more  added to the index of each glass
+Prescription WithGlassOf(Prescription prescription, double more)
+{
+    for (PrescriptionRow& row : prescription.rows)
+        if (row.index != 1.0)
+            row.index += more;
+    return prescription;
+}
+
 TEST(GlassLens, TracesFourSideBySideAsOneByOne)
 {
     std::mt19937 random(2);
@@ -237,6 +246,9 @@ TEST(GlassLens, TracesFourSideBySideAsOneByOne)
     for (const Prescription& prescription : {DoubleGauss(), Aspheric(), Singlet(20.0, -20.0, 18.0, 1.9, 1.0, 38.0)})
     {
         const GlassLens lens(prescription);
+        std::array<GlassLens, 4> colours{lens, lens, lens, lens};
+        for (int i = 0; i < 4; i++)
+            colours[i].TakeIndices(WithGlassOf(prescription, 0.02 * i));
         const double film = -lens.Cardinal().separation - 1.1 * lens.Cardinal().focalLength;
         int passed = 0, ended = 0;
         for (int group = 0; group < 1000; group++)
@@ -252,11 +264,13 @@ TEST(GlassLens, TracesFourSideBySideAsOneByOne)
                 const Vec3& direction = rays[i].direction;
                 four.direction[0][i] = direction.x, four.direction[1][i] = direction.y, four.direction[2][i] = direction.z;
             }
-            const unsigned int passes = lens.Trace(four, stops);
+            const bool coloured = group % 2 == 1;
+            const unsigned int passes = coloured ? GlassLens::Trace({&colours[0], &colours[1], &colours[2], &colours[3]}, four, stops)
+                                                 : lens.Trace(four, stops);
             for (int i = 0; i < 4; i++)
             {
                 StopPoint stop;
-                const bool expected = lens.Trace(rays[i], stop) == Passage::Passed;
+                const bool expected = (coloured ? colours[i] : lens).Trace(rays[i], stop) == Passage::Passed;
                 ASSERT_EQ((passes >> i & 1u) != 0, expected);
                 (expected ? passed : ended)++;
                 if (!expected)

@@ -119,7 +119,8 @@ inline Passage GlassLens::Cross(const GlassSurface& surface, GlassRay& ray, Stop
         point = {StopScale() * ray.origin.x, StopScale() * ray.origin.y};
         return passes ? Passage::Passed : Passage::Stopped;
     }
-    const Crossing<double> crossing = surface.sphere ? CrossSphere<towardsScene>(surface, ray) : CrossAsphere<towardsScene>(surface, ray);
+    const Crossing<double> crossing = surface.sphere ? CrossSphere<towardsScene>(surface, surface.ratio, ray)
+                                                     : CrossAsphere<towardsScene>(surface, ray);
     if (!crossing.met)
         return Passage::Missed;
     if (rims && !crossing.withinRim)

@@ -11,6 +11,7 @@
 #ifndef TILT_LENS_GLASS_LENS_H
 #define TILT_LENS_GLASS_LENS_H
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <utility>
@@ -95,7 +96,14 @@ class GlassLens
     /// Each ray has the same result as alone.
     /// @param[in,out] rays  those that do not pass may be NaN
     /// @return              one bit per passing ray, the lowest for the first
-    unsigned int Trace(FourGlassRays& rays, FourStopPoints& stop, bool rims = true) const;
+    unsigned int Trace(FourGlassRays& rays, FourStopPoints& stop, bool rims = true) const
+    {
+        return Trace({this, this, this, this}, rays, stop, rims);
+    }
+
+    /// One lens for each ray. They differ in indices alone.
+    using Four = std::array<const GlassLens*, 4>;
+    static unsigned int Trace(const Four& lenses, FourGlassRays& rays, FourStopPoints& stop, bool rims = true);
 
     /// direction.z < 0.
     Passage TraceFromScene(GlassRay& ray, StopPoint& stop, bool rims = true) const;

@@ -73,7 +73,7 @@ Crossing<double> CrossAsphere(const GlassSurface& surface, GlassRay& ray)
     normal = normal / std::sqrt(Dot(normal, normal));
     const double cosine = Dot(ray.direction, normal);
     const bool met = Signed<towardsScene>(cosine) > 0.0, withinRim = SquaredHeight(ray) <= surface.squaredRim;
-    return {met, withinRim, Refract<towardsScene>(surface, cosine, normal, ray.direction)};
+    return {met, withinRim, Refract<towardsScene>(surface.ratio, cosine, normal, ray.direction)};
 }
 
 template Crossing<double> CrossAsphere<true>(const GlassSurface& surface, GlassRay& ray);

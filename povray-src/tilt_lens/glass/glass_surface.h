@@ -54,14 +54,14 @@ TILT_LENS_INLINED Number Signed(const Number& value)
     return towardsScene ? value : -value;
 }
 
+/// @param indices    as GlassSurface::ratio
 /// @param cosine     unit normal and direction
 /// @param direction  in: before the surface; out: behind it
 /// @return           false for total reflection
 template<bool towardsScene, class Number>
-TILT_LENS_INLINED MaskOf<Number> Refract(const GlassSurface& surface, const Number& cosine, const VecOf<Number>& normal,
-                                         VecOf<Number>& direction)
+TILT_LENS_INLINED MaskOf<Number> Refract(const Number& indices, const Number& cosine, const VecOf<Number>& normal, VecOf<Number>& direction)
 {
-    const double ratio = towardsScene ? surface.ratio : 1.0 / surface.ratio;
+    const Number ratio = towardsScene ? indices : 1.0 / indices;
     const Number left = 1.0 - ratio * ratio * (1.0 - cosine * cosine);
     const Number along = Signed<towardsScene>(SquareRoot(left)) - ratio * cosine;
     direction = {ratio * direction.x + along * normal.x, ratio * direction.y + along * normal.y, ratio * direction.z + along * normal.z};
@@ -70,8 +70,9 @@ TILT_LENS_INLINED MaskOf<Number> Refract(const GlassSurface& surface, const Numb
 
 /// For p relative to the vertex, c |p|^2 = 2 p.z, so c t^2 - 2 half t + constant = 0 along the ray. The root near the vertex counts; a
 /// sphere ends where it turns back.
+/// @param indices  of each ray, as GlassSurface::ratio
 template<bool towardsScene, class Number>
-TILT_LENS_INLINED Crossing<Number> CrossSphere(const GlassSurface& surface, GlassRayOf<Number>& ray)
+TILT_LENS_INLINED Crossing<Number> CrossSphere(const GlassSurface& surface, const Number& indices, GlassRayOf<Number>& ray)
 {
     const double c = surface.curvature;
     const VecOf<Number>& d = ray.direction;
@@ -81,7 +82,7 @@ TILT_LENS_INLINED Crossing<Number> CrossSphere(const GlassSurface& surface, Glas
     ray.origin = {p.x + step * d.x, p.y + step * d.y, surface.z + depth};
     const VecOf<Number> normal{-c * ray.origin.x, -c * ray.origin.y, 1.0 - c * depth};
     const MaskOf<Number> met = (square >= 0.0) & (normal.z > 0.0), withinRim = SquaredHeight(ray) <= surface.squaredRim;
-    return {met, withinRim, Refract<towardsScene>(surface, cosine, normal, ray.direction)};
+    return {met, withinRim, Refract<towardsScene>(indices, cosine, normal, ray.direction)};
 }
 
 /// Moves the ray to the stop's plane; true within the opening.

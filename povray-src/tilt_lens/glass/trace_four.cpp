@@ -7,10 +7,13 @@
 namespace tilt_lens
 {
 
-unsigned int GlassLens::Trace(FourGlassRays& rays, FourStopPoints& stop, bool rims) const
+unsigned int GlassLens::Trace(const Four& lenses, FourGlassRays& rays, FourStopPoints& stop, bool rims)
 {
-    const GlassSurface* const first = surfaces.data();
-    unsigned int passed = kernels->traceGlass(first, first + surfaces.size(), StopScale(), rims, rays, stop);
+    const GlassSurface* surfaces[4];
+    for (int i = 0; i < 4; i++)
+        surfaces[i] = lenses[i]->surfaces.data();
+    const auto& opening = lenses[0]->opening;
+    unsigned int passed = kernels->traceGlass(surfaces, lenses[0]->surfaces.size(), lenses[0]->StopScale(), rims, rays, stop);
     for (int i = 0; i < 4 && opening; i++)
         if ((passed >> i & 1u) != 0 && !opening({stop.a[i], stop.b[i]}))
             passed &= ~(1u << i);

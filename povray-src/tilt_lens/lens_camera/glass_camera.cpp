@@ -155,8 +155,8 @@ PupilNode GlassCamera::Between(const FilmPoint& film) const
 /// Draws again if blocked.
 /// @param waiting  one bit per film point that needs a ray
 /// @return         one bit per ray
-unsigned int GlassCamera::DrawRays(const GlassLens& colour, const FourGlassPoints& points, const FourPupils& pupils, unsigned int waiting,
-                                   FourGlassRays& drawn, std::uint32_t (&refused)[4]) const
+unsigned int GlassCamera::DrawRays(const GlassLens::Four& lenses, const FourGlassPoints& points, const FourPupils& pupils,
+                                   unsigned int waiting, FourGlassRays& drawn, std::uint32_t (&refused)[4]) const
 {
     const unsigned int wanted = waiting;
     std::array<double, 4> u, v, a, b;
@@ -169,7 +169,7 @@ unsigned int GlassCamera::DrawRays(const GlassLens& colour, const FourGlassPoint
         FourGlassRays rays;
         disc.Map(u.data(), v.data(), a.data(), b.data(), 4);
         FourStopPoints stop;
-        const unsigned int passed = kernels->aimAtPupils(pupils, a.data(), b.data(), rays) & colour.Trace(rays, stop);
+        const unsigned int passed = kernels->aimAtPupils(pupils, a.data(), b.data(), rays) & GlassLens::Trace(lenses, rays, stop);
         for (int i = 0; i < 4; i++)
         {
             if ((waiting >> i & 1u) == 0)
@@ -188,22 +188,31 @@ unsigned int GlassCamera::DrawRays(const GlassLens& colour, const FourGlassPoint
     return wanted & ~waiting;
 }
 
-void GlassCamera::DrawThrough(const GlassLens& colour, const FourGlassPoints& points, FourGlassSamples& samples) const
+void GlassCamera::DrawThrough(const GlassLens::Four& lenses, const FourGlassPoints& points, FourGlassSamples& samples) const
 {
     FourPupils pupils;
     kernels->findPupils(frame, nodes.data(), points, pupils);
     FourGlassRays drawn{};
     std::fill(samples.refused, samples.refused + 4, 0u);
-    const unsigned int found = DrawRays(colour, points, pupils, points.wanted & pupils.seen, drawn, samples.refused);
+    const unsigned int found = DrawRays(lenses, points, pupils, points.wanted & pupils.seen, drawn, samples.refused);
     kernels->leaveGlass(frame, points, drawn, samples);
     for (std::size_t i = 0; i < 4; i++)
         samples.weight[i] = (found >> i & 1u) != 0 ? pupils.brightness[i] : 0.0;
 }
 
-GlassSample GlassCamera::DrawThrough(const GlassLens& colour, const FilmPoint& film, double u, double v, std::uint32_t seed) const
+void GlassCamera::DrawColours(const FilmPoint& film, double u, double v, std::uint32_t seed, const std::array<double, 3>& hues,
+                              FourGlassSamples& samples) const
+{
+    const GlassLens::Four lenses{&colours->Of(hues[0]), &colours->Of(hues[1]), &colours->Of(hues[2]), &glass};
+    constexpr unsigned int firstThree = 7;
+    DrawThrough(lenses, {{film.x, film.x, film.x}, {film.y, film.y, film.y}, {u, u, u}, {v, v, v}, {seed, seed, seed}, firstThree},
+                samples);
+}
+
+GlassSample GlassCamera::Draw(const FilmPoint& film, double u, double v, std::uint32_t seed) const
 {
     FourGlassSamples samples;
-    DrawThrough(colour, {{film.x}, {film.y}, {u}, {v}, {seed}, 1}, samples);
+    Draw({{film.x}, {film.y}, {u}, {v}, {seed}, 1}, samples);
     const auto vector = [](const double(&from)[3][4]) { return Vec3{from[0][0], from[1][0], from[2][0]}; };
     return {{vector(samples.origin), vector(samples.direction), samples.w[0]}, samples.weight[0], samples.refused[0]};
 }

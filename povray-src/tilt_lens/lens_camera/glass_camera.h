@@ -10,6 +10,7 @@
 #ifndef TILT_LENS_GLASS_CAMERA_H
 #define TILT_LENS_GLASS_CAMERA_H
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -45,16 +46,18 @@ class GlassCamera
     GlassCamera(std::shared_ptr<const SolvedLens> lens, const Aperture& aperture, double natural);
 
     /// At the d line.
-    void Draw(const FourGlassPoints& points, FourGlassSamples& samples) const { DrawThrough(glass, points, samples); }
+    void Draw(const FourGlassPoints& points, FourGlassSamples& samples) const
+    {
+        DrawThrough({&glass, &glass, &glass, &glass}, points, samples);
+    }
 
-    GlassSample Draw(const FilmPoint& film, double u, double v, std::uint32_t seed) const { return DrawThrough(glass, film, u, v, seed); }
+    GlassSample Draw(const FilmPoint& film, double u, double v, std::uint32_t seed) const;
 
     /// The share that the rims block is the d line's, so uniform grey has no colour.
-    /// @param hue  -1 (blue end) to 1 (red end)
-    GlassSample DrawColour(const FilmPoint& film, double u, double v, std::uint32_t seed, double hue) const
-    {
-        return DrawThrough(colours->Of(hue), film, u, v, seed);
-    }
+    /// @param hues     -1 (blue end) to 1 (red end)
+    /// @param samples  the first three: of each hue
+    void DrawColours(const FilmPoint& film, double u, double v, std::uint32_t seed, const std::array<double, 3>& hues,
+                     FourGlassSamples& samples) const;
 
     bool HasColours() const { return colours.has_value(); }
 
@@ -85,10 +88,9 @@ class GlassCamera
     PupilNode NodeAt(const FilmPoint& film, std::optional<PupilPoint>& near) const;
     PupilNode Between(const FilmPoint& film) const;
     PupilEllipse BoundsOf(const PupilNode& node, const Vec3& place) const;
-    unsigned int DrawRays(const GlassLens& colour, const FourGlassPoints& points, const FourPupils& pupils, unsigned int waiting,
+    unsigned int DrawRays(const GlassLens::Four& lenses, const FourGlassPoints& points, const FourPupils& pupils, unsigned int waiting,
                           FourGlassRays& drawn, std::uint32_t (&refused)[4]) const;
-    void DrawThrough(const GlassLens& colour, const FourGlassPoints& points, FourGlassSamples& samples) const;
-    GlassSample DrawThrough(const GlassLens& colour, const FilmPoint& film, double u, double v, std::uint32_t seed) const;
+    void DrawThrough(const GlassLens::Four& lenses, const FourGlassPoints& points, FourGlassSamples& samples) const;
 };
 
 }  // namespace tilt_lens

@@ -63,8 +63,10 @@ struct Kernels
     /// @return            false, with invalid rays, if a squared length may overflow or underflow
     bool (*makeRays)(const Lens& lens, const RayArrays& rays, std::size_t begin, std::size_t end);
 
-    unsigned int (*traceGlass)(const GlassSurface* begin, const GlassSurface* end, double stopScale, bool rims, FourGlassRays& rays,
-                               FourStopPoints& stop);
+    /// @param surfaces  the first of each ray's lens; lenses differ in indices alone
+    /// @param count     of a lens's surfaces
+    unsigned int (*traceGlass)(const GlassSurface* const (&surfaces)[4], std::size_t count, double stopScale, bool rims,
+                               FourGlassRays& rays, FourStopPoints& stop);
 
     void (*findPupils)(const GlassFilm& film, const PupilNode* nodes, const FourGlassPoints& points, FourPupils& pupils);
 

@@ -61,7 +61,7 @@ void CameraRayBatch::MakeOfGlass(const SampleRun& run)
     refused = 0;
     camera.lensSampler.DrawFilmPoints(run, points, rays.samples);
     const std::uint32_t end = run.Place() + run.count;
-    if (glass->HasColours())  // MakeColour() makes their rays
+    if (glass->HasColours())  // MakeColours() makes their rays
         for (std::uint32_t i = run.Place(); i < end; i++)
             rays.samples.weight[i] = glass->Brightness({rays.samples.x[i], rays.samples.y[i]});
     else
@@ -89,22 +89,25 @@ void CameraRayBatch::DrawFour(const SampleRun& run, std::uint32_t first)
     refused = std::accumulate(samples.refused, samples.refused + 4, refused);
 }
 
-void CameraRayBatch::MakeColour(std::uint32_t place, double hue, CameraRays& ray)
+void CameraRayBatch::MakeColours(std::uint32_t place, const std::array<double, 3>& hues, CameraRays& made)
 {
     const CameraSample sample = rays.samples[place];
-    ray.samples.Put(0, sample);
+    for (std::uint32_t i = 0; i < hues.size(); i++)
+        made.samples.Put(i, sample);
     refused = 0;
     if (sample.weight == 0.0)
         return;
     if (glass == nullptr)
-        return ray.Put(0, MakeColourRay(camera.lens->Solved(), sample.x, sample.y, sample.point.a, sample.point.b, hue));
+    {
+        for (std::uint32_t i = 0; i < hues.size(); i++)
+            made.Put(i, MakeColourRay(camera.lens->Solved(), sample.x, sample.y, sample.point.a, sample.point.b, hues[i]));
+        return;
+    }
     const std::uint32_t index = last.first.index - last.Place() + place;
-    const GlassSample drawn = glass->DrawColour({sample.x, sample.y}, points.lensU[place], points.lensV[place], glassSeeds.Hash(index),
-                                                hue);
-    refused = drawn.refused;
-    ray.samples.weight[0] = drawn.weight;
-    if (drawn.weight != 0.0)
-        ray.Put(0, drawn.ray);
+    FourGlassSamples drawn;
+    glass->DrawColours({sample.x, sample.y}, points.lensU[place], points.lensV[place], glassSeeds.Hash(index), hues, drawn);
+    PutFour(drawn, 0, made);
+    refused = std::accumulate(drawn.refused, drawn.refused + hues.size(), 0u);
 }
 
 } // namespace tilt_lens

@@ -7,6 +7,8 @@
 #ifndef TILT_LENS_CAMERA_RAYS_H
 #define TILT_LENS_CAMERA_RAYS_H
 
+#include <array>
+
 #include "tilt_lens/camera/ray.h"
 #include "tilt_lens/samples/sampled_camera.h"
 #include "tilt_lens/settings.h"
@@ -47,16 +49,16 @@ class CameraRayBatch
 
     void Make(const SampleRun& run);
 
-    /// @param place     of the sample in its group
-    /// @param hue       see MakeColourRay()
-    /// @param[out] ray  at position 0
-    void MakeColour(std::uint32_t place, double hue, CameraRays& ray);
+    /// @param place      of the sample in its group
+    /// @param hues       see MakeColourRay()
+    /// @param[out] made  at the first three positions
+    void MakeColours(std::uint32_t place, const std::array<double, 3>& hues, CameraRays& made);
 
     /// @name Valid for the last run
     /// @{
     const PixelSampler& Sampler() const { return sampler; }
     const CameraRays& Rays() const { return rays; }    ///< by place in the group
-    std::uint32_t Refused() const { return refused; }  ///< blocked by the glass lens, last run or colour
+    std::uint32_t Refused() const { return refused; }  ///< blocked by the glass lens, last run or colours
     /// @}
 
   private:

@@ -3,6 +3,8 @@
 
 #include "tilt_lens/samples/sample_tracer.h"
 
+#include <array>
+
 namespace tilt_lens
 {
 
@@ -61,13 +63,16 @@ void SampleTracer::TraceRays(const CameraRays& rays, std::uint32_t place, std::u
 void SampleTracer::TraceColours(std::uint32_t place, std::uint32_t index, SampleResult& result)
 {
     const double within = batch.Sampler().PaddedPair(index, kHuePair).u;
+    std::array<double, 3> hues;
+    for (int colour = 0; colour < 3; colour++)
+        hues[colour] = 1.0 - 2.0 / 3.0 * (colour + within);
+    CameraRays rays;
+    batch.MakeColours(place, hues, rays);
+    refusedRays += batch.Refused();
     Radiance mixed{};
     for (int colour = 0; colour < 3; colour++)
     {
-        CameraRays one;
-        batch.MakeColour(place, 1.0 - 2.0 / 3.0 * (colour + within), one);
-        refusedRays += batch.Refused();
-        TraceRays(one, 0, index, 1, &result);
+        TraceRays(rays, colour, index, 1, &result);
         mixed[colour] = result.radiance[colour];
         for (int c = 3; c < 5; c++)
             mixed[c] += result.radiance[c] / 3.0;
