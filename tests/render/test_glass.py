@@ -211,5 +211,38 @@ class Files(rendering.RenderTest):
                     self.assertLess(max(abs(blue), abs(green), abs(red)), 0.5)
 
 
+class Lamps(rendering.RenderTest):
+    """Small lamps far out of focus, known to the sampler or not. The lens's aberrations fold their discs, and its rims cut them."""
+
+    KNOWN = "pigment { rgb <1, 0.8, 0.5> } finish { ambient 0 diffuse 0 emission 300 }"
+    UNKNOWN = scenes.unknown_glow(300, 240, 150)
+
+    @staticmethod
+    def picture(samples, glow, dispersion, radius=0.002):
+        lens = f'prescription "lenses/zeiss_planar_50.dat" dispersion {dispersion} swing 3'
+        places = ((0, 0, 30), (-9, 5, 40), (4, -3, 25), (1, 0.6, 5))
+        lamps = "".join(f"sphere {{ <{x}, {y}, {z}>, {radius * z:g} {glow} }}\n" for x, y, z in places)
+        view = VIEW + "focal_point 8*z "
+        return render(camera(lens, samples + " variance 0 ", view, 40) + scenes.UNKNOWN_LIGHTS + lamps)
+
+    def test_aimed_samples_have_less_noise(self):
+        for dispersion in ("off", "on"):
+            with self.subTest(dispersion):
+                truth = self.picture("blur_samples 256, 256", self.KNOWN, dispersion).values
+                known, unknown = (self.picture("blur_samples 64, 64", glow, dispersion).values for glow in (self.KNOWN, self.UNKNOWN))
+                errors = [sum((a - b) ** 2 for a, b in zip(picture, truth)) for picture in (known, unknown)]
+                self.assertGreater(errors[1], 10 * errors[0])
+
+    def test_light_is_neither_gained_nor_lost(self):
+        for dispersion in ("off", "on"):
+            with self.subTest(dispersion):
+                known, unknown = (
+                    self.picture(samples, glow, dispersion, 0.008)
+                    for samples, glow in (("blur_samples 64, 64", self.KNOWN), ("blur_samples 512, 512", self.UNKNOWN))
+                )
+                for channel in "RGB":
+                    self.assertAlmostEqual(sum(known.channel(channel)) / sum(unknown.channel(channel)), 1, delta=0.03, msg=channel)
+
+
 if __name__ == "__main__":
     rendering.main()

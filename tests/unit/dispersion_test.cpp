@@ -142,6 +142,11 @@ Vec3 Numbered(const double (&vectors)[3][4], int i)
     return {vectors[0][i], vectors[1][i], vectors[2][i]};
 }
 
+FourGlassPoints ThreeTimes(const FilmPoint& film, double u, double v, std::uint32_t seed)
+{
+    return {{film.x, film.x, film.x}, {film.y, film.y, film.y}, {u, u, u}, {v, v, v}, {seed, seed, seed}, 7};
+}
+
 TEST(Dispersion, RaysOfAColourFocusWhereItsLensDoes)
 {
     const auto shared = Made(kSinglet, true);
@@ -160,7 +165,7 @@ TEST(Dispersion, RaysOfAColourFocusWhereItsLensDoes)
         for (int i = 0; i < 64; i++)
         {
             FourGlassSamples samples;
-            camera.DrawColours(onAxis, (i % 8 + 0.5) / 8.0, (i / 8 + 0.5) / 8.0, i, {-1.0, 0.0, 1.0}, samples);
+            camera.DrawColours(ThreeTimes(onAxis, (i % 8 + 0.5) / 8.0, (i / 8 + 0.5) / 8.0, i), {-1.0, 0.0, 1.0}, samples);
             ASSERT_GT(samples.weight[hue], 0.0);
             const Vec3 origin = Numbered(samples.origin, hue), direction = Normalized(Numbered(samples.direction, hue));
             const double slope = Dot(direction, Normalized(lens.lensX)) / Dot(direction, lens.normal);
@@ -187,8 +192,8 @@ TEST(Dispersion, DoesNotChangeBrightness)
         const double weight = plain.Draw(film, 0.3, 0.7, i).weight;
         EXPECT_EQ(camera.Brightness(film), weight);
         FourGlassSamples samples, reversed;
-        camera.DrawColours(film, 0.3, 0.7, i, {-1.0, 0.1, 1.0}, samples);
-        camera.DrawColours(film, 0.3, 0.7, i, {1.0, 0.1, -1.0}, reversed);
+        camera.DrawColours(ThreeTimes(film, 0.3, 0.7, i), {-1.0, 0.1, 1.0}, samples);
+        camera.DrawColours(ThreeTimes(film, 0.3, 0.7, i), {1.0, 0.1, -1.0}, reversed);
         for (int hue = 0; hue < 3; hue++)
         {
             EXPECT_EQ(samples.weight[hue], weight);

@@ -70,8 +70,8 @@ TEST(LensCamera, EachRuleHoldsForTheLensesThatItNames)
         {"lateral colour", Setting().With(&C::lateralColour, 0.02), false, {true, false, false, true}},
         {"axial colour", Setting().With(&C::axialColour, 0.02), false, {true, false, false, true}},
         {"deflected rays", Setting(), true, {false, false, false, false}},
-        {"glass", Setting().Glass(), false, {false, true, false, false}},
-        {"glass with dispersion", Setting().Glass(true), false, {true, true, false, false}},
+        {"glass", Setting().Glass(), false, {false, true, false, true}},
+        {"glass with dispersion", Setting().Glass(true), false, {true, true, false, true}},
     };
     for (const Case& one : cases)
     {
@@ -81,6 +81,7 @@ TEST(LensCamera, EachRuleHoldsForTheLensesThatItNames)
         EXPECT_EQ(camera.BendsChiefRays(), one.rules.bends);
         EXPECT_EQ(camera.CanSpread(), one.rules.spreads);
         EXPECT_EQ(camera.CanAimAtEmitters(), one.rules.aims);
+        EXPECT_EQ(camera.NeedsFewFirstSamples(), one.rules.aims && !one.setting.given.prescription);
         EXPECT_EQ(camera.Glass() != nullptr, bool(one.setting.given.prescription));
     }
 }

@@ -20,6 +20,8 @@ namespace tilt_lens
 namespace
 {
 
+constexpr double kPi = 3.14159265358979323846;
+
 void Copy(std::size_t i, const FourGlassRays& from, FourGlassRays& to)
 {
     for (int axis = 0; axis < 3; axis++)
@@ -27,6 +29,17 @@ void Copy(std::size_t i, const FourGlassRays& from, FourGlassRays& to)
         to.origin[axis][i] = from.origin[axis][i];
         to.direction[axis][i] = from.direction[axis][i];
     }
+}
+
+/// From the lens's axes to those of the ellipses.
+void TurnAimed(const FourGlassPoints& points, const FourPupils& pupils, std::array<double, 4>& a, std::array<double, 4>& b)
+{
+    for (int i = 0; i < 4; i++)
+        if ((points.aimed >> i & 1u) != 0)
+        {
+            a[i] = pupils.axisL[i] * points.u[i] + pupils.axisM[i] * points.v[i];
+            b[i] = pupils.axisL[i] * points.v[i] - pupils.axisM[i] * points.u[i];
+        }
 }
 
 } // namespace
@@ -76,6 +89,7 @@ PupilNode GlassCamera::NodeAt(const FilmPoint& film, std::optional<PupilPoint>& 
     node.radial = view->bounds.radial;
     node.tangential = view->bounds.tangential;
     node.open = view->open / view->stop;
+    node.passing = view->open / (kPi * node.radial * node.tangential);
     // the solid angle is projected on the lens's plane, not on the film
     if (const std::optional<GlassRay> ray = RayTowards(place, view->bounds.centre))
     {
@@ -138,7 +152,18 @@ double GlassCamera::Brightness(const FilmPoint& film) const
 
 double GlassCamera::OpenShare(const FilmPoint& film) const
 {
-    return Between(film).open;
+    return Between(film, &PupilNode::open);
+}
+
+double GlassCamera::PassingShare(const FilmPoint& film) const
+{
+    return Between(film, &PupilNode::passing);
+}
+
+double GlassCamera::Between(const FilmPoint& film, double PupilNode::* number) const
+{
+    const double x[] = {film.x, film.x}, y[] = {film.y, film.y};
+    return PupilInterpolation<Double2>(nodes.data(), x, y)(number)[0];
 }
 
 PupilNode GlassCamera::Between(const FilmPoint& film) const
@@ -152,13 +177,12 @@ PupilNode GlassCamera::Between(const FilmPoint& film) const
     return node;
 }
 
-/// Draws again if blocked.
 /// @param waiting  one bit per film point that needs a ray
 /// @return         one bit per ray
 unsigned int GlassCamera::DrawRays(const GlassLens::Four& lenses, const FourGlassPoints& points, const FourPupils& pupils,
-                                   unsigned int waiting, FourGlassRays& drawn, std::uint32_t (&refused)[4]) const
+                                   unsigned int waiting, FourGlassRays& drawn, FourGlassSamples& samples) const
 {
-    const unsigned int wanted = waiting;
+    unsigned int found = 0;
     std::array<double, 4> u, v, a, b;
     std::copy(points.u, points.u + 4, u.begin());
     std::copy(points.v, points.v + 4, v.begin());
@@ -168,6 +192,7 @@ unsigned int GlassCamera::DrawRays(const GlassLens::Four& lenses, const FourGlas
     {
         FourGlassRays rays;
         disc.Map(u.data(), v.data(), a.data(), b.data(), 4);
+        TurnAimed(points, pupils, a, b);
         FourStopPoints stop;
         const unsigned int passed = kernels->aimAtPupils(pupils, a.data(), b.data(), rays) & GlassLens::Trace(lenses, rays, stop);
         for (int i = 0; i < 4; i++)
@@ -177,15 +202,22 @@ unsigned int GlassCamera::DrawRays(const GlassLens::Four& lenses, const FourGlas
             if ((passed >> i & 1u) != 0)
             {
                 Copy(i, rays, drawn);
+                samples.a[i] = pupils.axisL[i] * a[i] - pupils.axisM[i] * b[i];
+                samples.b[i] = pupils.axisL[i] * b[i] + pupils.axisM[i] * a[i];
+                found |= 1u << i;
+            }
+            if (((passed | points.aimed) >> i & 1u) != 0)
+            {
                 waiting &= ~(1u << i);
                 continue;
             }
-            refused[i]++;
+            // blocked: another direction
+            samples.refused[i]++;
             u[i] = uniform[i]();
             v[i] = uniform[i]();
         }
     }
-    return wanted & ~waiting;
+    return found;
 }
 
 void GlassCamera::DrawThrough(const GlassLens::Four& lenses, const FourGlassPoints& points, FourGlassSamples& samples) const
@@ -194,19 +226,32 @@ void GlassCamera::DrawThrough(const GlassLens::Four& lenses, const FourGlassPoin
     kernels->findPupils(frame, nodes.data(), points, pupils);
     FourGlassRays drawn{};
     std::fill(samples.refused, samples.refused + 4, 0u);
-    const unsigned int found = DrawRays(lenses, points, pupils, points.wanted & pupils.seen, drawn, samples.refused);
+    const unsigned int found = DrawRays(lenses, points, pupils, points.wanted & pupils.seen, drawn, samples);
     kernels->leaveGlass(frame, points, drawn, samples);
     for (std::size_t i = 0; i < 4; i++)
         samples.weight[i] = (found >> i & 1u) != 0 ? pupils.brightness[i] : 0.0;
 }
 
-void GlassCamera::DrawColours(const FilmPoint& film, double u, double v, std::uint32_t seed, const std::array<double, 3>& hues,
-                              FourGlassSamples& samples) const
+void GlassCamera::DrawColours(const FourGlassPoints& points, const std::array<double, 3>& hues, FourGlassSamples& samples) const
 {
-    const GlassLens::Four lenses{&colours->Of(hues[0]), &colours->Of(hues[1]), &colours->Of(hues[2]), &glass};
-    constexpr unsigned int firstThree = 7;
-    DrawThrough(lenses, {{film.x, film.x, film.x}, {film.y, film.y, film.y}, {u, u, u}, {v, v, v}, {seed, seed, seed}, firstThree},
-                samples);
+    DrawThrough({&LensOf(hues[0]), &LensOf(hues[1]), &LensOf(hues[2]), &glass}, points, samples);
+}
+
+unsigned int GlassCamera::Aim(const FourGlassPoints& points, double hue, FourGlassSamples& samples) const
+{
+    FourPupils pupils;
+    kernels->findPupils(frame, nodes.data(), points, pupils);
+    std::array<double, 4> a{}, b{};
+    TurnAimed(points, pupils, a, b);
+    FourGlassRays rays;
+    FourStopPoints stop;
+    unsigned int found = kernels->aimAtPupils(pupils, a.data(), b.data(), rays);
+    LensOf(hue).Trace(rays, stop);
+    kernels->leaveGlass(frame, points, rays, samples);
+    for (int i = 0; i < 4; i++)
+        if (!std::isfinite(samples.origin[0][i] + samples.direction[0][i]))
+            found &= ~(1u << i);
+    return found;
 }
 
 GlassSample GlassCamera::Draw(const FilmPoint& film, double u, double v, std::uint32_t seed) const

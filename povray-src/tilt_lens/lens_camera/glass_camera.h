@@ -54,10 +54,12 @@ class GlassCamera
     GlassSample Draw(const FilmPoint& film, double u, double v, std::uint32_t seed) const;
 
     /// The share that the rims block is the d line's, so uniform grey has no colour.
-    /// @param hues     -1 (blue end) to 1 (red end)
-    /// @param samples  the first three: of each hue
-    void DrawColours(const FilmPoint& film, double u, double v, std::uint32_t seed, const std::array<double, 3>& hues,
-                     FourGlassSamples& samples) const;
+    /// @param hues  of the first three points, -1 (blue end) to 1 (red end)
+    void DrawColours(const FourGlassPoints& points, const std::array<double, 3>& hues, FourGlassSamples& samples) const;
+
+    /// Rays through aimed points alone: neither rims nor the stop block them.
+    /// @return  one bit per ray
+    unsigned int Aim(const FourGlassPoints& points, double hue, FourGlassSamples& samples) const;
 
     bool HasColours() const { return colours.has_value(); }
 
@@ -68,6 +70,11 @@ class GlassCamera
 
     /// Share of the stop's light that passes the rims.
     double OpenShare(const FilmPoint& film) const;
+
+    /// Share of the ellipse BoundsAt() whose rays pass.
+    double PassingShare(const FilmPoint& film) const;
+
+    const Lens& Solved() const { return *lens; }
 
     /// Lens frame, mm.
     Vec3 FilmInLens(const FilmPoint& film) const { return frame.Place(film.x, film.y); }
@@ -86,10 +93,12 @@ class GlassCamera
     void Tabulate();
     void FillUnseen();
     PupilNode NodeAt(const FilmPoint& film, std::optional<PupilPoint>& near) const;
-    PupilNode Between(const FilmPoint& film) const;
+    PupilNode Between(const FilmPoint& film) const;  ///< without `passing`
+    double Between(const FilmPoint& film, double PupilNode::* number) const;
     PupilEllipse BoundsOf(const PupilNode& node, const Vec3& place) const;
+    const GlassLens& LensOf(double hue) const { return colours ? colours->Of(hue) : glass; }
     unsigned int DrawRays(const GlassLens::Four& lenses, const FourGlassPoints& points, const FourPupils& pupils, unsigned int waiting,
-                          FourGlassRays& drawn, std::uint32_t (&refused)[4]) const;
+                          FourGlassRays& drawn, FourGlassSamples& samples) const;
     void DrawThrough(const GlassLens::Four& lenses, const FourGlassPoints& points, FourGlassSamples& samples) const;
 };
 

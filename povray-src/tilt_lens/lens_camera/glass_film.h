@@ -20,11 +20,13 @@ struct FourGlassPoints
     double u[4], v[4];      ///< in [0, 1)
     std::uint32_t seed[4];  ///< for drawing blocked directions again
     unsigned int wanted;    ///< one bit per point that needs a sample
+    unsigned int aimed = 0; ///< those whose (u, v) is the point of the pupil itself; not drawn again
 };
 
 struct FourGlassSamples
 {
     double origin[3][4], direction[3][4], w[4], weight[4];
+    double a[4], b[4];  ///< point of the pupil: a unit disc with the lens's axes
     std::uint32_t refused[4];
 };
 
@@ -42,6 +44,7 @@ struct PupilNode
 {
     double l = 0.0, m = 0.0, radial = 0.0, tangential = 0.0;
     double open = 0.0;     ///< share that the rims leave open
+    double passing = 0.0;  ///< share of the ellipse whose rays pass
     double natural = 0.0;  ///< relative illumination by the stop alone
     bool seen = false;
 };

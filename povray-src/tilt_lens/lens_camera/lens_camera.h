@@ -43,7 +43,9 @@ class LensCamera
     bool BendsChiefRays() const { return lens->distorts || Glass() != nullptr; }
     /// True if the lens images planes onto planes, to scale, with its whole aperture visible.
     bool CanSpread() const;
-    bool CanAimAtEmitters() const { return !deflected && Glass() == nullptr; }
+    bool CanAimAtEmitters() const { return !deflected; }
+    /// False if first samples cannot be aimed, or if they come through glass and serve no other pixels.
+    bool NeedsFewFirstSamples() const { return CanAimAtEmitters() && Glass() == nullptr; }
     /// @}
 
     /// Separates the seeds for redrawing blocked samples from a ray's own.

@@ -74,19 +74,42 @@ void CameraRayBatch::DrawFour(const SampleRun& run, std::uint32_t first)
 {
     FourGlassPoints four;
     four.wanted = 0;
-    const std::uint32_t begin = run.first.index - run.Place();
     for (std::uint32_t i = 0; i < 4; i++)
     {
         const std::uint32_t place = first + i;
-        four.x[i] = rays.samples.x[place], four.y[i] = rays.samples.y[place];
-        four.u[i] = points.lensU[place], four.v[i] = points.lensV[place];
-        four.seed[i] = glassSeeds.Hash(begin + place);
+        PutPoint(place, 0.0, i, four);
         four.wanted |= (place >= run.Place() && place < run.Place() + run.count ? 1u : 0u) << i;
     }
     FourGlassSamples samples;
     glass->Draw(four, samples);
+    for (std::uint32_t i = 0; i < 4; i++)
+        Weigh(first + i, 0.0, i, samples);
     PutFour(samples, first, rays);
     refused = std::accumulate(samples.refused, samples.refused + 4, refused);
+}
+
+/// @param place  of the sample in its group
+/// @param i      its number in `four`
+void CameraRayBatch::PutPoint(std::uint32_t place, double hue, std::uint32_t i, FourGlassPoints& four)
+{
+    const std::uint32_t index = last.first.index - last.Place() + place;
+    four.x[i] = rays.samples.x[place], four.y[i] = rays.samples.y[place];
+    four.u[i] = points.lensU[place], four.v[i] = points.lensV[place];
+    four.seed[i] = glassSeeds.Hash(index);
+    rays.samples.expectedEmission[place] = 0.0;
+    if (!camera.emitters.MayAim(targets, index))
+        return;
+    const EmitterSampling::Choice choice = camera.emitters.Choose(targets, {four.x[i], four.y[i]}, four.u[i], four.v[i], hue);
+    four.u[i] = choice.u, four.v[i] = choice.v;
+    four.aimed |= (choice.aimed ? 1u : 0u) << i;
+    rays.samples.expectedEmission[place] = choice.expectedEmission;
+}
+
+void CameraRayBatch::Weigh(std::uint32_t place, double hue, std::uint32_t i, FourGlassSamples& four) const
+{
+    const std::uint32_t index = last.first.index - last.Place() + place;
+    if (four.weight[i] != 0.0 && camera.emitters.MayAim(targets, index))
+        four.weight[i] *= camera.emitters.OverPlain(targets, {rays.samples.x[place], rays.samples.y[place]}, {four.a[i], four.b[i]}, hue);
 }
 
 void CameraRayBatch::MakeColours(std::uint32_t place, const std::array<double, 3>& hues, CameraRays& made)
@@ -103,9 +126,17 @@ void CameraRayBatch::MakeColours(std::uint32_t place, const std::array<double, 3
             made.Put(i, MakeColourRay(camera.lens->Solved(), sample.x, sample.y, sample.point.a, sample.point.b, hues[i]));
         return;
     }
-    const std::uint32_t index = last.first.index - last.Place() + place;
+    FourGlassPoints four{};
+    four.wanted = 7;
+    for (std::uint32_t i = 0; i < hues.size(); i++)
+        PutPoint(place, hues[i], i, four);
     FourGlassSamples drawn;
-    glass->DrawColours({sample.x, sample.y}, points.lensU[place], points.lensV[place], glassSeeds.Hash(index), hues, drawn);
+    glass->DrawColours(four, hues, drawn);
+    for (std::uint32_t i = 0; i < hues.size(); i++)
+    {
+        Weigh(place, hues[i], i, drawn);
+        made.samples.expectedEmission[i] = rays.samples.expectedEmission[place];
+    }
     PutFour(drawn, 0, made);
     refused = std::accumulate(drawn.refused, drawn.refused + hues.size(), 0u);
 }

@@ -75,6 +75,8 @@ class CameraRayBatch
 
     void MakeOfGlass(const SampleRun& run);
     void DrawFour(const SampleRun& run, std::uint32_t first);
+    void PutPoint(std::uint32_t place, double hue, std::uint32_t i, FourGlassPoints& four);
+    void Weigh(std::uint32_t place, double hue, std::uint32_t i, FourGlassSamples& four) const;
 };
 
 } // namespace tilt_lens

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "tilt_lens/settings.h"
 
@@ -15,6 +17,9 @@ namespace
 {
 
 constexpr double pi = 3.14159265358979323846;
+
+/// Part of the picture's width by which glass moves a disc at most, about.
+constexpr double glassMargin = 0.1;
 
 } // namespace
 
@@ -54,7 +59,13 @@ bool EmitterSampling::PixelPositionOf(const Vec3& through, const AperturePoint& 
     return true;
 }
 
-/// Bounding box of a point's circle of confusion, from few points on an enlarged circle around the aperture.
+/// @param margin  around the picture
+bool EmitterSampling::MeetsFrame(const Box& box, double margin) const
+{
+    return box.right > -margin && box.bottom > -margin && box.left < plain.width + margin && box.top < plain.height + margin;
+}
+
+/// Bounding box of a point's circle of confusion, from few points on an enlarged circle around the aperture. A lens of glass counts as thin.
 EmitterSampling::Box EmitterSampling::BlurBoxOf(const Vec3& centre, bool& whole) const
 {
     const double radius = plain.aperture.BoundingRadius() / std::cos(pi / Settings::blurBoxPoints);
@@ -124,9 +135,17 @@ bool EmitterSampling::Keep(const Emitter& emitter, double leastVariance)
     const bool foundByChance = hits > 1.0, negligible = hits * contrast * contrast < leastVariance;
     if (foundByChance || negligible)
         return false;
-    covers = {covers.left - imageRadius, covers.right + imageRadius, covers.top - imageRadius, covers.bottom + imageRadius};
     const bool chooseLensPoint = std::min(across, along) > settings.lensPointBlur;
-    kept.push_back({emitter.centre, emitter.radius, imageRadius, emission, chooseLensPoint, covers});
+    std::shared_ptr<const GlassSight> sight;
+    if (const GlassCamera* const glass = plain.camera->Glass())
+    {
+        if (!chooseLensPoint || !MeetsFrame(covers, glassMargin * plain.width))
+            return false;
+        sight = std::make_shared<const GlassSight>(*glass, emitter.centre);
+        covers = PixelsOf(sight->Box());
+    }
+    covers = {covers.left - imageRadius, covers.right + imageRadius, covers.top - imageRadius, covers.bottom + imageRadius};
+    kept.push_back({emitter.centre, emitter.radius, imageRadius, emission, chooseLensPoint, covers, sight});
     return true;
 }
 
@@ -143,7 +162,7 @@ void EmitterSampling::Distribute()
     for (std::uint32_t i = 0; i < kept.size(); i++)
     {
         const Box& box = kept[i].covers;
-        if (!(box.right > 0.0 && box.bottom > 0.0 && box.left < plain.width && box.top < plain.height))
+        if (!MeetsFrame(box, 0.0))
             continue;
         const std::uint32_t left = std::uint32_t(std::max(0.0, box.left)) / binSide;
         const std::uint32_t right = std::uint32_t(std::min(plain.width - 1.0, box.right)) / binSide;
@@ -161,7 +180,7 @@ bool EmitterSampling::Reaches(const Kept& emitter, std::uint32_t x, std::uint32_
     const Box& box = emitter.covers;
     if (x + 1.0 < box.left || x > box.right || y + 1.0 < box.top || y > box.bottom)
         return false;
-    if (!emitter.chooseLensPoint)
+    if (!emitter.chooseLensPoint || emitter.sight)
         return true;
     // while the film point crosses the circle of confusion, this part moves across the whole lens
     const FilmPoint film = FilmPointAt(x + 0.5, y + 0.5, plain.width, plain.height);
@@ -181,9 +200,10 @@ EmitterSampling::Targets EmitterSampling::TargetsOf(std::uint32_t x, std::uint32
     {
         if (result.targets.size() == settings.emittersOfPixel)
             break;
-        if (!Reaches(kept[i], x, y))
+        Targets::Target target{i, kept[i].emission};
+        if (!Reaches(kept[i], x, y) || !FindCells(x, y, target))
             continue;
-        result.targets.push_back({i, kept[i].emission});
+        result.targets.push_back(std::move(target));
         emission += kept[i].emission;
     }
     if (result.targets.empty())
@@ -196,7 +216,7 @@ EmitterSampling::Targets EmitterSampling::TargetsOf(std::uint32_t x, std::uint32
 
 CameraSample EmitterSampling::Draw(const Targets& targets, const SampleId& id, const SequencePoint& point) const
 {
-    if (targets.targets.empty() || id.index >= usable)
+    if (!MayAim(targets, id.index))
         return plain.Draw(id, point);
     CameraSample sample = plain.DrawFilmPoint(id, point);
     if (Choose(targets, id, point, sample))
@@ -206,21 +226,33 @@ CameraSample EmitterSampling::Draw(const Targets& targets, const SampleId& id, c
     return sample;
 }
 
-/// False if there is no ray.
-bool EmitterSampling::Choose(const Targets& targets, const SampleId& id, const SequencePoint& point, CameraSample& sample) const
+/// At which the lens coordinate u aims; null: none, a plain sample.
+/// @param[in,out] u  becomes a coordinate of this technique alone
+const EmitterSampling::Targets::Target* EmitterSampling::TargetOf(const Targets& targets, double& u) const
 {
-    if (point.lensU >= targets.share)
+    if (u >= targets.share)
     {
-        plain.DrawLensPoint(id, (point.lensU - targets.share) / (1.0 - targets.share), point.lensV, sample);
-        return sample.weight != 0.0;
+        u = (u - targets.share) / (1.0 - targets.share);
+        return nullptr;
     }
-    sample.expectedEmission = targets.emission;
-    double u = point.lensU;
     std::size_t i = 0;
     while (i + 1 < targets.targets.size() && u >= targets.targets[i].share)
         u -= targets.targets[i++].share;
     u = std::min(u / targets.targets[i].share, std::nextafter(1.0, 0.0));
-    return Aim(kept[targets.targets[i].emitter], u, id, point, sample);
+    return &targets.targets[i];
+}
+
+/// False if there is no ray.
+bool EmitterSampling::Choose(const Targets& targets, const SampleId& id, const SequencePoint& point, CameraSample& sample) const
+{
+    double u = point.lensU;
+    if (const Targets::Target* const target = TargetOf(targets, u))
+    {
+        sample.expectedEmission = targets.emission;
+        return Aim(kept[target->emitter], u, id, point, sample);
+    }
+    plain.DrawLensPoint(id, u, point.lensV, sample);
+    return sample.weight != 0.0;
 }
 
 void EmitterSampling::Weigh(const Targets& targets, CameraSample& sample) const
@@ -298,4 +330,4 @@ double EmitterSampling::Density(const Kept& emitter, const CameraSample& sample)
     return off <= emitter.imageRadius ? 1.0 / (pi * emitter.imageRadius * emitter.imageRadius) : 0.0;
 }
 
-} // namespace tilt_lens
+}  // namespace tilt_lens

@@ -10,8 +10,10 @@
 #define TILT_LENS_EMITTER_SAMPLING_H
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
+#include "tilt_lens/lens_camera/glass_sight.h"
 #include "tilt_lens/samples/lens_sampler.h"
 #include "tilt_lens/samples/sampling_limits.h"
 
@@ -59,12 +61,30 @@ class EmitterSampling
         {
             std::uint32_t emitter;
             double share;
+            std::vector<GlassSight::Cells> cells{};  ///< with a lens of glass, by thirds of the spectrum
         };
         std::vector<Target> targets;
     };
     Targets TargetsOf(std::uint32_t x, std::uint32_t y) const;
 
     CameraSample Draw(const Targets& targets, const SampleId& id, const SequencePoint& point) const;
+
+    /// @name Through a lens of glass, whose rays the camera draws
+    /// @{
+    struct Choice
+    {
+        double u, v;                    ///< lens coordinates of a plain sample, or the point of the pupil
+        bool aimed;
+        double expectedEmission = 0.0;  ///< as in SampleResult
+    };
+    Choice Choose(const Targets& targets, const FilmPoint& film, double u, double v, double hue) const;
+
+    /// Weight of a sample over that of a plain one.
+    double OverPlain(const Targets& targets, const FilmPoint& film, const AperturePoint& pupil, double hue) const;
+
+    /// Later samples are plain: their block of four is incomplete.
+    bool MayAim(const Targets& targets, std::uint32_t index) const { return !targets.targets.empty() && index < usable; }
+    /// @}
 
     /// @param samples  filled at the run's positions in the group
     void Draw(const Targets& targets, const SampleRun& run, const SequencePoints& points, CameraSamples& samples) const;
@@ -82,6 +102,7 @@ class EmitterSampling
         double emission;  ///< about its mean radiance within its circle of confusion
         bool chooseLensPoint;  ///< aims by the lens point; else by the film point
         Box covers;  ///< pixels that may see it
+        std::shared_ptr<const GlassSight> sight;  ///< null: a thin lens
     };
     struct Disc
     {
@@ -91,17 +112,22 @@ class EmitterSampling
 
     const LensSampler& plain;
     const Settings settings;
-    std::uint32_t usable;  ///< later samples are plain: their block of four is incomplete
+    std::uint32_t usable;  ///< for MayAim()
     std::vector<Kept> kept;
     std::uint32_t binSide, columns;  ///< a bin's side in pixels, bins in a row
     std::vector<std::vector<std::uint32_t>> bins;  ///< visible emitters, brightest first
 
     bool PixelPositionOf(const Vec3& through, const AperturePoint& point, double& x, double& y) const;
     bool Keep(const Emitter& emitter, double leastVariance);
+    bool MeetsFrame(const Box& box, double margin) const;
+    Box PixelsOf(const FilmBox& film) const;
     Box BlurBoxOf(const Vec3& centre, bool& whole) const;
     void Distribute();
     Disc PartOfLens(const Kept& emitter, double x, double y) const;
     bool Reaches(const Kept& emitter, std::uint32_t x, std::uint32_t y) const;
+    const GlassSight::Cells& CellsAt(const Targets::Target& target, const FilmPoint& film, double hue, GlassSight::Cells& some) const;
+    bool FindCells(std::uint32_t x, std::uint32_t y, Targets::Target& target) const;
+    const Targets::Target* TargetOf(const Targets& targets, double& u) const;
     bool Choose(const Targets& targets, const SampleId& id, const SequencePoint& point, CameraSample& sample) const;
     bool Aim(const Kept& emitter, double u, const SampleId& id, const SequencePoint& point, CameraSample& sample) const;
     void Weigh(const Targets& targets, CameraSample& sample) const;

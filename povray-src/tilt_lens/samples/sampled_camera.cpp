@@ -9,10 +9,10 @@ namespace tilt_lens
 namespace
 {
 
-SamplingLimits WithMinimum(SamplingLimits limits, bool aims)
+SamplingLimits WithMinimum(SamplingLimits limits, bool few)
 {
     if (limits.min == 0)
-        limits.SetUsualMinimum(aims);
+        limits.SetUsualMinimum(few);
     return limits;
 }
 
@@ -21,7 +21,7 @@ SamplingLimits WithMinimum(SamplingLimits limits, bool aims)
 SampledCamera::SampledCamera(std::shared_ptr<const LensCamera> itsLens, const SamplingLimits& given, const Picture& picture,
                              std::uint32_t itsSeed) :
     lens(std::move(itsLens)),
-    limits(WithMinimum(given, lens->CanAimAtEmitters())),
+    limits(WithMinimum(given, lens->NeedsFewFirstSamples())),
     aims(lens->CanAimAtEmitters() && limits.AllowAims()),
     spreads(limits.Denoises() && lens->CanSpread()),
     footprint(lens->Solved(), lens->Opening(), picture.width, picture.height),

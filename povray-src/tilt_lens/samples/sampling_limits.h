@@ -45,8 +45,8 @@ struct SamplingLimits
     /// Samples can be aimed at emitters only if each pixel has a whole stratum.
     bool AllowAims() const { return FirstRound() >= Settings::emitterStratum; }
 
-    /// @param aims  true if samples may be aimed at emitters
-    void SetUsualMinimum(bool aims) { min = std::min(max, aims && Denoises() ? Settings::firstSamples : Settings::firstSamplesAlone); }
+    /// @param few  true if the lens needs few
+    void SetUsualMinimum(bool few) { min = std::min(max, few && Denoises() ? Settings::firstSamples : Settings::firstSamplesAlone); }
 
     /// `variance 0` disables the reconstruction.
     bool Denoises() const { return denoise && variance > 0.0; }

@@ -128,7 +128,7 @@ void TiltLensView::RequireBudget(const Camera& camera, shared_ptr<SceneData> sce
         return;
     tilt_lens::SamplingLimits limits = LimitsOf(camera);
     if (limits.min == 0)
-        limits.SetUsualMinimum(LensCameraOf(camera, scene)->CanAimAtEmitters());
+        limits.SetUsualMinimum(LensCameraOf(camera, scene)->NeedsFewFirstSamples());
     const unsigned int least = limits.FirstRound();
     char text[240];
     std::snprintf(text, sizeof text,

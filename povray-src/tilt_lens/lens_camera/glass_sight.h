@@ -1,0 +1,82 @@
+// povray-tilt-lens: a tilt-shift camera for POV-Ray. Unofficial; not supported by the POV-Ray team.
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+/// @file glass_sight.h
+/// How a lens of glass shows a point of the scene: which film points see it, and through which points of the pupil.
+///
+/// The pupil is divided into cells of equal area. Traced rays give the film points of few corners, and interpolation those of the others.
+/// Aberrations may fold the picture, so a film point may see the target through cells far from each other.
+
+#ifndef TILT_LENS_GLASS_SIGHT_H
+#define TILT_LENS_GLASS_SIGHT_H
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "tilt_lens/lens_camera/glass_camera.h"
+
+namespace tilt_lens
+{
+
+/// Film points.
+struct FilmBox
+{
+    double left, right, bottom, top;
+};
+
+/// Immutable, thread-safe.
+class GlassSight
+{
+  public:
+    static constexpr int kTraced = 16;  ///< traced cells in a row or column
+    static constexpr int kFine = 2;     ///< cells of a traced one in a row or column
+    static constexpr int kCount = kTraced * kTraced * kFine * kFine;
+
+    using Cells = std::vector<std::uint16_t>;  ///< ascending
+
+    /// @param target  relative to the lens centre, world axes, scene units
+    GlassSight(const GlassCamera& camera, const Vec3& target);
+
+    /// Thirds of the spectrum, blue to red; one if the camera has no colours.
+    std::size_t Thirds() const { return images.size(); }
+
+    /// Around all film points that see the target.
+    FilmBox Box() const;
+
+    /// Cells through which film points in the box see the target.
+    Cells CellsOf(const FilmBox& box, std::size_t third) const;
+    bool Shows(std::uint16_t cell, const FilmBox& box, std::size_t third) const { return images[third].cells[cell].Meets(box); }
+
+    /// @param u, v  place in the cell, in [0, 1)
+    static AperturePoint PointOf(std::uint16_t cell, double u, double v);
+    static std::uint16_t CellAt(const AperturePoint& point);
+
+  private:
+    static constexpr int kFines = kFine * kFine, kTracedCount = kTraced * kTraced;
+
+    /// Of the target, in frames; around those of a cell's corners.
+    struct Image
+    {
+        float left, right, bottom, top;
+
+        bool Meets(const FilmBox& box) const
+        {
+            return (left <= box.right) & (right >= box.left) & (bottom <= box.top) & (top >= box.bottom);
+        }
+    };
+
+    struct Images
+    {
+        std::array<Image, kTracedCount> traced;
+        std::array<Image, kCount> cells;
+    };
+
+    std::vector<Images> images;  ///< by thirds
+
+    class Corners;
+};
+
+}  // namespace tilt_lens
+
+#endif
