@@ -8,7 +8,7 @@
 //   ./render scenes/gallery/chess_at_night.pov +W1280 +H720
 //
 // Try: Declare=Glass=0 for an ideal lens of the same numbers; Declare=File=4 for a Nikkor of f/1.1 (1 to 4); Declare=Swung=0 for a lens
-// without swing. Lamps out of focus need many rays: Declare=Samples=2000 gives a picture with little noise.
+// without swing. Declare=Samples=2000 leaves less noise at the rims of the lamps.
 //
 // One unit is a centimetre (scene_unit 10).
 
