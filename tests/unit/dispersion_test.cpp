@@ -137,11 +137,6 @@ std::shared_ptr<const SolvedLens> Made(const char* text, bool dispersion)
     return std::make_shared<const SolvedLens>(Solve({{}, {0.0, 0.0, 1.0}, {1.5, 0.0, 0.0}, {0.0, 1.0, 0.0}}, given));
 }
 
-Vec3 Numbered(const double (&vectors)[3][4], int i)
-{
-    return {vectors[0][i], vectors[1][i], vectors[2][i]};
-}
-
 FourGlassPoints ThreeTimes(const FilmPoint& film, double u, double v, std::uint32_t seed)
 {
     return {{film.x, film.x, film.x}, {film.y, film.y, film.y}, {u, u, u}, {v, v, v}, {seed, seed, seed}, 7};
@@ -167,9 +162,10 @@ TEST(Dispersion, RaysOfAColourFocusWhereItsLensDoes)
             FourGlassSamples samples;
             camera.DrawColours(ThreeTimes(onAxis, (i % 8 + 0.5) / 8.0, (i / 8 + 0.5) / 8.0, i), {-1.0, 0.0, 1.0}, samples);
             ASSERT_GT(samples.weight[hue], 0.0);
-            const Vec3 origin = Numbered(samples.origin, hue), direction = Normalized(Numbered(samples.direction, hue));
+            const LensRay ray = samples.RayOf(hue);
+            const Vec3 direction = Normalized(ray.direction);
             const double slope = Dot(direction, Normalized(lens.lensX)) / Dot(direction, lens.normal);
-            const double place = Dot(origin, Normalized(lens.lensX)) - slope * Dot(origin, lens.normal);
+            const double place = Dot(ray.origin, Normalized(lens.lensX)) - slope * Dot(ray.origin, lens.normal);
             zz += place * place;
             zx += slope * place;
         }

@@ -38,8 +38,8 @@ double MissOf(const GlassCamera& camera, const FilmPoint& film, const AperturePo
     FourGlassSamples rays;
     if ((camera.Aim(points, hue, rays) & 1u) == 0)
         return HUGE_VAL;
-    const Vec3 direction = Normalized(Vec3{rays.direction[0][0], rays.direction[1][0], rays.direction[2][0]});
-    const Vec3 way = target - Vec3{rays.origin[0][0], rays.origin[1][0], rays.origin[2][0]};
+    const LensRay ray = rays.RayOf(0);
+    const Vec3 direction = Normalized(ray.direction), way = target - ray.origin;
     return Length(way - Dot(way, direction) * direction);
 }
 

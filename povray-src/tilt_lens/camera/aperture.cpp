@@ -13,14 +13,13 @@
 #include "tilt_lens/camera/blade_arc.h"
 #include "tilt_lens/camera/concentric.h"
 #include "tilt_lens/math/kernels.h"
+#include "tilt_lens/math/numbers.h"
 
 namespace tilt_lens
 {
 
 namespace
 {
-
-constexpr double pi = 3.14159265358979323846;
 
 template<class... Functions>
 struct Overloaded : Functions...
@@ -77,7 +76,7 @@ struct Aperture::Outline
     int EdgeTowards(const AperturePoint& point) const
     {
         const double first = std::atan2(corner[0].b, corner[0].a);
-        double turns = (std::atan2(point.b, point.a) - first) / (2 * pi);
+        double turns = (std::atan2(point.b, point.a) - first) / (2 * kPi);
         turns -= std::floor(turns);
         // blades span equal angles, unlike the chords of one blade
         const int blade = std::min(static_cast<int>(turns * blades), blades - 1);
@@ -177,11 +176,11 @@ Aperture Aperture::Polygon(int blades, double angleRadians, double curvature)
     auto outline = std::make_shared<Outline>();
     outline->blades = blades;
     outline->edges = blades * chords;
-    const double triangle = chords > 1 ? Cross(arc[0], arc[1]) : std::sin(2 * pi / blades);
+    const double triangle = chords > 1 ? Cross(arc[0], arc[1]) : std::sin(2 * kPi / blades);
     outline->density = 2 / (outline->edges * triangle);
     for (int i = 0; i < blades; ++i)
     {
-        const double angle = angleRadians + 2 * pi * i / blades;
+        const double angle = angleRadians + 2 * kPi * i / blades;
         const double a = std::cos(angle), b = std::sin(angle);
         outline->corner.push_back({a, b});
         for (int j = 1; j < chords; ++j)
@@ -239,7 +238,7 @@ void Aperture::Map(const double* u, const double* v, double* a, double* b, int c
 double Aperture::Density(const AperturePoint& point) const
 {
     const auto density = [&](const auto& table) { return table->Density(point); };
-    return std::visit(Overloaded{density, [&](Round) { return point.a * point.a + point.b * point.b <= 1 ? 1 / pi : 0.0; }}, shape);
+    return std::visit(Overloaded{density, [&](Round) { return point.a * point.a + point.b * point.b <= 1 ? 1 / kPi : 0.0; }}, shape);
 }
 
 double Aperture::BoundingRadius() const

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tilt_lens/camera/aperture.h"
+#include "tilt_lens/math/numbers.h"
 
 namespace tilt_lens
 {
@@ -23,7 +24,6 @@ inline double Cross(const AperturePoint& p, const AperturePoint& q)
 /// Chords between the corners at 0 and 2 pi/blades. Each spans a triangle of equal area with the origin.
 inline std::vector<AperturePoint> Arc(int blades, double curvature, int chords)
 {
-    constexpr double kPi = 3.14159265358979323846;
     const double half = std::sin(kPi / blades), middle = std::cos(kPi / blades);
     const double spread = std::asin(curvature * half);
     const auto at = [&](double t) -> AperturePoint

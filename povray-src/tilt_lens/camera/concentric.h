@@ -7,6 +7,9 @@
 #ifndef TILT_LENS_CONCENTRIC_H
 #define TILT_LENS_CONCENTRIC_H
 
+#include <cmath>
+
+#include "tilt_lens/math/numbers.h"
 #include "tilt_lens/math/simd.h"
 
 namespace tilt_lens
@@ -54,11 +57,22 @@ template<class Number>
 TILT_LENS_INLINED void OnDisc(const Number& u, const Number& v, Number& a, Number& b)
 {
     const Concentric<Number> c = ToConcentric(u, v);
-    constexpr double quarterPi = 3.14159265358979323846 / 4;
+    constexpr double quarterPi = kPi / 4;
     const Number angle = quarterPi * c.slope;
     const Number along = c.radius * SmallCos(angle), across = c.radius * SmallSin(angle);
     a = c.sideways ? along : across;
     b = c.sideways ? across : along;
+}
+
+/// Inverse of OnDisc().
+inline void FromDisc(double a, double b, double& u, double& v)
+{
+    constexpr double quarterPi = kPi / 4;
+    const bool sideways = std::fabs(a) > std::fabs(b);
+    const double main = sideways ? a : b, other = sideways ? b : a, radius = std::copysign(std::hypot(a, b), main);
+    const double across = main != 0.0 ? radius * std::atan(other / main) / quarterPi : 0.0;
+    u = 0.5 * (1.0 + (sideways ? radius : across));
+    v = 0.5 * (1.0 + (sideways ? across : radius));
 }
 
 /// @param position  number of edges from the first corner

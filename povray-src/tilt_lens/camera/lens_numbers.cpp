@@ -19,7 +19,6 @@ namespace tilt_lens
 namespace
 {
 
-const double kPi = 3.14159265358979323846;
 const double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Degrees; real lenses stop at about 10.

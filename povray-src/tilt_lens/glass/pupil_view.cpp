@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 
+#include "tilt_lens/math/numbers.h"
+
 namespace tilt_lens
 {
 
@@ -27,8 +29,6 @@ constexpr double kRound = 1.3;
 /// Enlargement for borders between spokes and table entries, and where rims cut the pupil.
 constexpr double kMargin = 1.04;
 constexpr double kCoveredMargin = 0.08;
-
-constexpr double kPi = 3.14159265358979323846;
 
 struct FourPupilPoints
 {

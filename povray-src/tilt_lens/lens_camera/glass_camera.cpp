@@ -20,8 +20,6 @@ namespace tilt_lens
 namespace
 {
 
-constexpr double kPi = 3.14159265358979323846;
-
 void Copy(std::size_t i, const FourGlassRays& from, FourGlassRays& to)
 {
     for (int axis = 0; axis < 3; axis++)
@@ -258,8 +256,7 @@ GlassSample GlassCamera::Draw(const FilmPoint& film, double u, double v, std::ui
 {
     FourGlassSamples samples;
     Draw({{film.x}, {film.y}, {u}, {v}, {seed}, 1}, samples);
-    const auto vector = [](const double(&from)[3][4]) { return Vec3{from[0][0], from[1][0], from[2][0]}; };
-    return {{vector(samples.origin), vector(samples.direction), samples.w[0]}, samples.weight[0], samples.refused[0]};
+    return {samples.RayOf(0), samples.weight[0], samples.refused[0]};
 }
 
 std::optional<LensRay> GlassCamera::MiddleRay(const FilmPoint& film) const

@@ -17,7 +17,7 @@ namespace tilt_lens
 struct FourGlassPoints
 {
     double x[4], y[4];
-    double u[4], v[4];      ///< in [0, 1)
+    double u[4], v[4];      ///< in [0, 1), but for aimed ones
     std::uint32_t seed[4];  ///< for drawing blocked directions again
     unsigned int wanted;    ///< one bit per point that needs a sample
     unsigned int aimed = 0; ///< those whose (u, v) is the point of the pupil itself; not drawn again
@@ -28,6 +28,11 @@ struct FourGlassSamples
     double origin[3][4], direction[3][4], w[4], weight[4];
     double a[4], b[4];  ///< point of the pupil: a unit disc with the lens's axes
     std::uint32_t refused[4];
+
+    LensRay RayOf(std::size_t i) const
+    {
+        return {{origin[0][i], origin[1][i], origin[2][i]}, {direction[0][i], direction[1][i], direction[2][i]}, w[i]};
+    }
 };
 
 struct FourPupils

@@ -7,21 +7,21 @@
 #include <cmath>
 #include <optional>
 
+#include "tilt_lens/camera/concentric.h"
+
 namespace tilt_lens
 {
 
 namespace
 {
 
-constexpr double kPi = 3.14159265358979323846;
-
 constexpr int kMostSteps = 12;
 constexpr double kNearEnough = 1e-4;  ///< last step, in frames: the next would be about its square
 constexpr double kDifference = 1e-4;  ///< for derivatives
 constexpr double kLongestStep = 0.2;
 
-/// Part of a cell's side; CellAt() finds each point of PointOf() in its cell.
-constexpr double kRounding = 1e-9;
+/// Distance of points from the border of their cell, over its side: CellAt() finds each point of PointOf() in its cell.
+constexpr double kInside = 1e-9;
 
 /// Film points whose rays meet a point of the scene.
 class Search
@@ -80,17 +80,15 @@ class Search
     /// Across the way to the target, scene units.
     FilmPoint MissOf(const FourGlassSamples& rays, int i) const
     {
-        const Vec3 origin{rays.origin[0][i], rays.origin[1][i], rays.origin[2][i]};
-        const Vec3 direction{rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]}, way = target - origin;
+        const LensRay ray = rays.RayOf(i);
+        const Vec3 &direction = ray.direction, way = target - ray.origin;
         const Vec3 miss = (Dot(way, direction) / Dot(direction, direction)) * direction - way;
         return {Dot(miss, across), Dot(miss, along)};
     }
 };
 
-} // namespace
-
-/// Film points that see the target through the corners of traced cells, at the hues -1, 0 and 1. NaN: none found.
-class GlassSight::Corners
+/// Film points that see the target through the corners of traced cells.
+class Corners
 {
   public:
     Corners(const GlassCamera& camera, const Vec3& target) : corners(kSide * kSide)
@@ -101,7 +99,7 @@ class GlassSight::Corners
         for (int at = 0; at < kSide * kSide; at++)
         {
             const int column = at % kSide, row = at / kSide;
-            const AperturePoint pupil = Aperture::Disc()(double(column) / kTraced, double(row) / kTraced);
+            const AperturePoint pupil = Aperture::Disc()(double(column) / GlassSight::kTraced, double(row) / GlassSight::kTraced);
             const std::optional<FilmPoint> green = search.FilmOf(pupil, 0.0, column == 0 ? ofRow : near);
             near = green.value_or(ideal);
             ofRow = column == 0 ? near : ofRow;
@@ -110,71 +108,59 @@ class GlassSight::Corners
         }
     }
 
-    /// Of a part of a traced cell.
-    /// @param left, bottom, side  the part; the cell's own side is 1
-    /// @param low, high           hues
-    Image ImageOf(int traced, double left, double bottom, double side, double low, double high) const
+    /// Interpolated for the corners of all cells, row by row. NaN: none found.
+    std::vector<FilmPoint> At(double hue) const
     {
-        FilmBox box{HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL};
-        for (int i = 0; i < 4; i++)
-            for (const double hue : {low, high})
-            {
-                const FilmPoint film = FilmAt(traced, left + i % 2 * side, bottom + i / 2 * side, hue);
-                box = {std::min(box.left, film.x), std::max(box.right, film.x), std::min(box.bottom, film.y), std::max(box.top, film.y)};
-            }
-        return {float(box.left), float(box.right), float(box.bottom), float(box.top)};
+        std::vector<FilmPoint> films;
+        for (int row = 0; row <= GlassSight::kSide; row++)
+            for (int column = 0; column <= GlassSight::kSide; column++)
+                films.push_back(FilmAt(double(column) / GlassSight::kFine, double(row) / GlassSight::kFine, hue));
+        return films;
     }
 
   private:
-    static constexpr int kSide = kTraced + 1;
+    static constexpr int kSide = GlassSight::kTraced + 1;
     static constexpr FilmPoint none{NAN, NAN};
 
-    std::vector<std::array<FilmPoint, 3>> corners;  ///< row by row
+    std::vector<std::array<FilmPoint, 3>> corners;  ///< row by row; at the hues -1, 0 and 1
 
-    /// Interpolated; across and along the cell from 0 to 1.
-    FilmPoint FilmAt(int traced, double across, double along, double hue) const
+    /// @param x, y  place, in traced cells
+    FilmPoint FilmAt(double x, double y, double hue) const
     {
-        const auto* const first = &corners[traced / kTraced * kSide + traced % kTraced];
-        const double hues[] = {0.5 * hue * (hue - 1.0), 1.0 - hue * hue, 0.5 * hue * (hue + 1.0)};
+        const int column = std::min(int(x), GlassSight::kTraced - 1), row = std::min(int(y), GlassSight::kTraced - 1);
+        const double across = x - column, along = y - row;
         const double weights[] = {(1.0 - across) * (1.0 - along), across * (1.0 - along), (1.0 - across) * along, across * along};
+        const double hues[] = {0.5 * hue * (hue - 1.0), 1.0 - hue * hue, 0.5 * hue * (hue + 1.0)};
         FilmPoint film{0.0, 0.0};
         for (int i = 0; i < 4; i++)
             for (int colour = 0; colour < 3; colour++)
-            {
-                const FilmPoint& corner = first[i / 2 * kSide + i % 2][colour];
-                const double weight = weights[i] * hues[colour];
-                film = {film.x + weight * corner.x, film.y + weight * corner.y};
-            }
+                if (const double weight = weights[i] * hues[colour]; weight != 0.0)
+                {
+                    const FilmPoint& corner = corners[(row + i / 2) * kSide + column + i % 2][colour];
+                    film = {film.x + weight * corner.x, film.y + weight * corner.y};
+                }
         return film;
     }
 };
 
+} // namespace
+
 GlassSight::GlassSight(const GlassCamera& camera, const Vec3& target) : images(camera.HasColours() ? 3 : 1)
 {
-    constexpr double side = 1.0 / kFine;
     const Corners corners(camera, target);
+    std::vector<std::vector<FilmPoint>> films;  // at both ends of each third
+    for (const double hue : camera.HasColours() ? std::vector<double>{-1.0, -1.0 / 3.0, 1.0 / 3.0, 1.0} : std::vector<double>{0.0})
+        films.push_back(corners.At(hue));
     for (std::size_t third = 0; third < images.size(); third++)
-    {
-        const double width = 2.0 / images.size(), low = images.size() == 1 ? 0.0 : third * width - 1.0;
-        const double high = images.size() == 1 ? 0.0 : low + width;
-        for (int traced = 0; traced < kTracedCount; traced++)
-            images[third].traced[traced] = corners.ImageOf(traced, 0.0, 0.0, 1.0, low, high);
         for (int cell = 0; cell < kCount; cell++)
         {
-            const int fine = cell % kFines;
-            images[third].cells[cell] = corners.ImageOf(cell / kFines, fine % kFine * side, fine / kFine * side, side, low, high);
+            Image& image = images[third].cells[cell];
+            for (const std::size_t end : {third, std::min(third + 1, films.size() - 1)})
+                for (int i = 0; i < 4; i++)
+                    image.Include(films[end][(RowOf(cell) + i / 2) * (kSide + 1) + ColumnOf(cell) + i % 2]);
+            images[third].traced[cell / kFines].Include(image);
+            all.Include(image);
         }
-    }
-}
-
-FilmBox GlassSight::Box() const
-{
-    FilmBox box{HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL};
-    for (const Images& third : images)
-        for (const Image& image : third.traced)
-            box = {std::min(box.left, double(image.left)), std::max(box.right, double(image.right)),
-                   std::min(box.bottom, double(image.bottom)), std::max(box.top, double(image.top))};
-    return box;
 }
 
 GlassSight::Cells GlassSight::CellsOf(const FilmBox& box, std::size_t third) const
@@ -193,22 +179,16 @@ GlassSight::Cells GlassSight::CellsOf(const FilmBox& box, std::size_t third) con
 
 AperturePoint GlassSight::PointOf(std::uint16_t cell, double u, double v)
 {
-    const int traced = cell / kFines, fine = cell % kFines;
-    const auto place = [](int cells, int part, double in)
-    { return (cells + (part + std::clamp(in, kRounding, 1.0 - kRounding)) / kFine) / kTraced; };
-    return Aperture::Disc()(place(traced % kTraced, fine % kFine, u), place(traced / kTraced, fine / kFine, v));
+    const auto place = [](int cells, double in) { return (cells + std::clamp(in, kInside, 1.0 - kInside)) / kSide; };
+    return Aperture::Disc()(place(ColumnOf(cell), u), place(RowOf(cell), v));
 }
 
-/// Inverse of Aperture::Disc().
 std::uint16_t GlassSight::CellAt(const AperturePoint& point)
 {
-    constexpr int side = kTraced * kFine;
-    const bool sideways = std::fabs(point.a) > std::fabs(point.b);
-    const double main = sideways ? point.a : point.b, other = sideways ? point.b : point.a;
-    const double radius = std::copysign(std::hypot(main, other), main);
-    const double across = main != 0.0 ? 4.0 / kPi * std::atan(other / main) * radius : 0.0;
-    const auto place = [](double coordinate) { return std::clamp(int(0.5 * (coordinate + 1.0) * side), 0, side - 1); };
-    const int column = place(sideways ? radius : across), row = place(sideways ? across : radius);
+    double u, v;
+    FromDisc(point.a, point.b, u, v);
+    const auto place = [](double coordinate) { return std::clamp(int(coordinate * kSide), 0, kSide - 1); };
+    const int column = place(u), row = place(v);
     const int traced = row / kFine * kTraced + column / kFine, fine = row % kFine * kFine + column % kFine;
     return std::uint16_t(traced * kFines + fine);
 }

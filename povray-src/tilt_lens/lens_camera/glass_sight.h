@@ -10,7 +10,9 @@
 #ifndef TILT_LENS_GLASS_SIGHT_H
 #define TILT_LENS_GLASS_SIGHT_H
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -31,9 +33,10 @@ class GlassSight
   public:
     static constexpr int kTraced = 16;  ///< traced cells in a row or column
     static constexpr int kFine = 2;     ///< cells of a traced one in a row or column
-    static constexpr int kCount = kTraced * kTraced * kFine * kFine;
+    static constexpr int kSide = kTraced * kFine;
+    static constexpr int kCount = kSide * kSide;
 
-    using Cells = std::vector<std::uint16_t>;  ///< ascending
+    using Cells = std::vector<std::uint16_t>;  ///< ascending; those of a traced cell follow each other
 
     /// @param target  relative to the lens centre, world axes, scene units
     GlassSight(const GlassCamera& camera, const Vec3& target);
@@ -42,7 +45,7 @@ class GlassSight
     std::size_t Thirds() const { return images.size(); }
 
     /// Around all film points that see the target.
-    FilmBox Box() const;
+    FilmBox Box() const { return {all.left, all.right, all.bottom, all.top}; }
 
     /// Cells through which film points in the box see the target.
     Cells CellsOf(const FilmBox& box, std::size_t third) const;
@@ -55,11 +58,21 @@ class GlassSight
   private:
     static constexpr int kFines = kFine * kFine, kTracedCount = kTraced * kTraced;
 
-    /// Of the target, in frames; around those of a cell's corners.
+    static constexpr int ColumnOf(int cell) { return cell / kFines % kTraced * kFine + cell % kFine; }
+    static constexpr int RowOf(int cell) { return cell / kFines / kTraced * kFine + cell % kFines / kFine; }
+
+    /// Box around the film points that see the target through a cell.
     struct Image
     {
-        float left, right, bottom, top;
+        float left = HUGE_VALF, right = -HUGE_VALF, bottom = HUGE_VALF, top = -HUGE_VALF;
 
+        void Include(const Image& other)
+        {
+            left = std::min(left, other.left), right = std::max(right, other.right);
+            bottom = std::min(bottom, other.bottom), top = std::max(top, other.top);
+        }
+        /// Not if it is NaN.
+        void Include(const FilmPoint& film) { Include({float(film.x), float(film.x), float(film.y), float(film.y)}); }
         bool Meets(const FilmBox& box) const
         {
             return (left <= box.right) & (right >= box.left) & (bottom <= box.top) & (top >= box.bottom);
@@ -73,8 +86,7 @@ class GlassSight
     };
 
     std::vector<Images> images;  ///< by thirds
-
-    class Corners;
+    Image all;
 };
 
 }  // namespace tilt_lens

@@ -12,6 +12,8 @@
 namespace tilt_lens
 {
 
+inline constexpr double kPi = 3.14159265358979323846;
+
 /// Largest relative rounding error of a difference that ought to be 0.
 inline constexpr double kRounding = 1e-14;
 

@@ -17,12 +17,8 @@ void PutFour(const FourGlassSamples& four, std::uint32_t first, CameraRays& rays
     {
         const std::uint32_t place = first + i;
         rays.samples.weight[place] = four.weight[i];
-        if (four.weight[i] == 0.0)
-            continue;
-        for (int axis = 0; axis < 3; axis++)
-            rays.origin[axis][place] = four.origin[axis][i];
-        rays.w[place] = four.w[i];
-        rays.PutDirection(place, {four.direction[0][i], four.direction[1][i], four.direction[2][i]});
+        if (four.weight[i] != 0.0)
+            rays.Put(place, four.RayOf(i));
     }
 }
 
@@ -72,14 +68,10 @@ void CameraRayBatch::MakeOfGlass(const SampleRun& run)
 /// @param first  position in the group of the four
 void CameraRayBatch::DrawFour(const SampleRun& run, std::uint32_t first)
 {
-    FourGlassPoints four;
-    four.wanted = 0;
+    FourGlassPoints four{};
     for (std::uint32_t i = 0; i < 4; i++)
-    {
-        const std::uint32_t place = first + i;
-        PutPoint(place, 0.0, i, four);
-        four.wanted |= (place >= run.Place() && place < run.Place() + run.count ? 1u : 0u) << i;
-    }
+        if (const std::uint32_t place = first + i; place >= run.Place() && place < run.Place() + run.count)
+            PutPoint(place, 0.0, i, four);
     FourGlassSamples samples;
     glass->Draw(four, samples);
     for (std::uint32_t i = 0; i < 4; i++)
@@ -96,6 +88,7 @@ void CameraRayBatch::PutPoint(std::uint32_t place, double hue, std::uint32_t i, 
     four.x[i] = rays.samples.x[place], four.y[i] = rays.samples.y[place];
     four.u[i] = points.lensU[place], four.v[i] = points.lensV[place];
     four.seed[i] = glassSeeds.Hash(index);
+    four.wanted |= 1u << i;
     rays.samples.expectedEmission[place] = 0.0;
     if (!camera.emitters.MayAim(targets, index))
         return;
@@ -127,7 +120,6 @@ void CameraRayBatch::MakeColours(std::uint32_t place, const std::array<double, 3
         return;
     }
     FourGlassPoints four{};
-    four.wanted = 7;
     for (std::uint32_t i = 0; i < hues.size(); i++)
         PutPoint(place, hues[i], i, four);
     FourGlassSamples drawn;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "tilt_lens/math/numbers.h"
 #include "tilt_lens/settings.h"
 
 namespace tilt_lens
@@ -15,8 +16,6 @@ namespace tilt_lens
 
 namespace
 {
-
-constexpr double pi = 3.14159265358979323846;
 
 /// Part of the picture's width by which glass moves a disc at most, about.
 constexpr double glassMargin = 0.1;
@@ -68,13 +67,13 @@ bool EmitterSampling::MeetsFrame(const Box& box, double margin) const
 /// Bounding box of a point's circle of confusion, from few points on an enlarged circle around the aperture. A lens of glass counts as thin.
 EmitterSampling::Box EmitterSampling::BlurBoxOf(const Vec3& centre, bool& whole) const
 {
-    const double radius = plain.aperture.BoundingRadius() / std::cos(pi / Settings::blurBoxPoints);
+    const double radius = plain.aperture.BoundingRadius() / std::cos(kPi / Settings::blurBoxPoints);
     Box box{HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL};
     whole = true;
     for (int i = 0; i < Settings::blurBoxPoints; i++)
     {
         double x, y;
-        const double turn = 2.0 * pi * i / Settings::blurBoxPoints;
+        const double turn = 2.0 * kPi * i / Settings::blurBoxPoints;
         whole = whole && PixelPositionOf(centre, {radius * std::cos(turn), radius * std::sin(turn)}, x, y);
         if (!whole)
             break;
@@ -129,7 +128,7 @@ bool EmitterSampling::Keep(const Emitter& emitter, double leastVariance)
 
     const double imageRadius = emitter.radius / SizeOfPixelAt(emitter.centre);
     const double across = covers.right - covers.left, along = covers.bottom - covers.top;
-    const double hits = pi * imageRadius * imageRadius / std::max(1.0, pi / 4.0 * across * along);
+    const double hits = kPi * imageRadius * imageRadius / std::max(1.0, kPi / 4.0 * across * along);
     const double emission = hits * emitter.radiance;
     const double contrast = emitter.radiance - emitter.around;
     const bool foundByChance = hits > 1.0, negligible = hits * contrast * contrast < leastVariance;
@@ -321,13 +320,13 @@ double EmitterSampling::Density(const Kept& emitter, const CameraSample& sample)
         if (!(std::hypot(sample.point.a - part.centre.a, sample.point.b - part.centre.b) <= part.radius))
             return 0.0;
         const double even = plain.aperture.Density(sample.point);
-        return even > 0.0 ? 1.0 / (pi * part.radius * part.radius * even) : 0.0;
+        return even > 0.0 ? 1.0 / (kPi * part.radius * part.radius * even) : 0.0;
     }
     double x, y;
     if (!PixelPositionOf(emitter.centre, sample.point, x, y))
         return 0.0;
     const double off = std::hypot((sample.x + 0.5) * plain.width - x, (0.5 - sample.y) * plain.height - y);
-    return off <= emitter.imageRadius ? 1.0 / (pi * emitter.imageRadius * emitter.imageRadius) : 0.0;
+    return off <= emitter.imageRadius ? 1.0 / (kPi * emitter.imageRadius * emitter.imageRadius) : 0.0;
 }
 
 }  // namespace tilt_lens
