@@ -77,7 +77,7 @@ class Messages(ClientTest):
 
         async def render():
             async with page_at(address) as page:
-                await page.told("preview", "done")
+                await page.told("refined")  # the preview has read the scene for the last time
                 scene.rename(self.folder / "away")
                 await page.render()
                 failed = await page.told("picture", "done", "failed")
