@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "double_gauss_rows.h"
+#include "tilt_lens/lens_camera/film_search.h"
 
 namespace tilt_lens
 {
@@ -48,6 +50,42 @@ const Vec3 kTargets[] = {{30.0, -20.0, 4000.0}, {-900.0, 500.0, 4000.0}, {60.0, 
 class GlassSights : public testing::TestWithParam<bool>
 {
 };
+
+TEST_P(GlassSights, RaysOfFilmPointsFoundMeetTheTarget)
+{
+    for (const double tilt : {0.0, 4.0})
+    {
+        const GlassCamera camera = CameraOf(tilt, GetParam());
+        for (const Vec3& target : kTargets)
+        {
+            SCOPED_TRACE(target.x);
+            const FilmSearch search(camera, target);
+            const double across = 36.0 / 50.0 * target.z;  // of what the film shows there, about
+            for (int i = 0; i < 100; i++)
+            {
+                const auto pupil = [i](int j) { return Aperture::Disc()(i / 99.0, j / 3.0); };
+                const FourApertures pupils{pupil(0), pupil(1), pupil(2), pupil(3)};
+                const FourFilms start{search.Start(pupils[0]), search.Start(pupils[1]), search.Start(pupils[2]), search.Start(pupils[3])};
+                for (const double hue : GetParam() ? std::vector<double>{-1.0, 0.0, 1.0} : std::vector<double>{0.0})
+                {
+                    const FourFilms films = search.FilmsOf(pupils, hue, start);
+                    for (int j = 0; j < 4; j++)
+                        EXPECT_LT(MissOf(camera, films[j], pupils[j], hue, target), 1e-5 * across) << i << ", " << j << ", " << hue;
+                }
+            }
+        }
+    }
+}
+
+TEST(FilmSearch, FindsNothingWithoutAPlaceToStart)
+{
+    const GlassCamera camera = CameraOf(0.0, false);
+    const FilmSearch search(camera, kTargets[0]);
+    const FilmPoint none{NAN, NAN}, start = search.Start({0.5, 0.0});
+    const FourFilms films = search.FilmsOf({{{0.5, 0.0}, {0.5, 0.0}, {0.5, 0.0}, {0.5, 0.0}}}, 0.0, {none, start, none, start});
+    EXPECT_TRUE(std::isnan(films[0].x) && std::isnan(films[2].y));
+    EXPECT_DOUBLE_EQ(films[1].x, films[3].x);
+}
 
 /// Every ray that meets the target goes through a cell found for its film point, and not many others do.
 TEST_P(GlassSights, CellsHoldTheRaysThatMeetTheTarget)

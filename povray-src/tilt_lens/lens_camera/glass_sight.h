@@ -36,32 +36,7 @@ class GlassSight
     static constexpr int kSide = kTraced * kFine;
     static constexpr int kCount = kSide * kSide;
 
-    using Cells = std::vector<std::uint16_t>;  ///< ascending; those of a traced cell follow each other
-
-    /// @param target  relative to the lens centre, world axes, scene units
-    GlassSight(const GlassCamera& camera, const Vec3& target);
-
-    /// Thirds of the spectrum, blue to red; one if the camera has no colours.
-    std::size_t Thirds() const { return images.size(); }
-
-    /// Around all film points that see the target.
-    FilmBox Box() const { return {all.left, all.right, all.bottom, all.top}; }
-
-    /// Cells through which film points in the box see the target.
-    Cells CellsOf(const FilmBox& box, std::size_t third) const;
-    bool Shows(std::uint16_t cell, const FilmBox& box, std::size_t third) const { return images[third].cells[cell].Meets(box); }
-
-    /// @param u, v  place in the cell, in [0, 1)
-    static AperturePoint PointOf(std::uint16_t cell, double u, double v);
-    static std::uint16_t CellAt(const AperturePoint& point);
-
-  private:
-    static constexpr int kFines = kFine * kFine, kTracedCount = kTraced * kTraced;
-
-    static constexpr int ColumnOf(int cell) { return cell / kFines % kTraced * kFine + cell % kFine; }
-    static constexpr int RowOf(int cell) { return cell / kFines / kTraced * kFine + cell % kFines / kFine; }
-
-    /// Box around the film points that see the target through a cell.
+    /// Box around the film points that see the target through a part of the pupil.
     struct Image
     {
         float left = HUGE_VALF, right = -HUGE_VALF, bottom = HUGE_VALF, top = -HUGE_VALF;
@@ -79,14 +54,36 @@ class GlassSight
         }
     };
 
-    struct Images
-    {
-        std::array<Image, kTracedCount> traced;
-        std::array<Image, kCount> cells;
-    };
+    /// Ascending. Numbers are in Z-order, so each square of 4, 16, 64 or 256 cells has successive ones.
+    using Cells = std::vector<std::uint16_t>;
 
-    std::vector<Images> images;  ///< by thirds
+    /// @param target  relative to the lens centre, world axes, scene units
+    GlassSight(const GlassCamera& camera, const Vec3& target);
+
+    /// Thirds of the spectrum, blue to red; one if the camera has no colours.
+    std::size_t Thirds() const { return trees.size(); }
+
+    /// Around all film points that see the target.
+    FilmBox Box() const { return {all.left, all.right, all.bottom, all.top}; }
+
+    /// Cells through which film points in the box see the target.
+    Cells CellsOf(const FilmBox& box, std::size_t third) const;
+    bool Shows(std::uint16_t cell, const FilmBox& box, std::size_t third) const { return trees[third][kFirstCell + cell].Meets(box); }
+
+    /// @param u, v  place in the cell, in [0, 1)
+    static AperturePoint PointOf(std::uint16_t cell, double u, double v);
+    static std::uint16_t CellAt(const AperturePoint& point);
+
+  private:
+    static constexpr int kFirstCell = (kCount - 1) / 3;
+
+    /// Node 0 is the whole pupil, 4 n + 1 to 4 n + 4 are the quarters of node n, and the last ones are the cells.
+    using Tree = std::array<Image, kFirstCell + kCount>;
+
+    std::vector<Tree> trees;  ///< by thirds
     Image all;
+
+    void Collect(const FilmBox& box, std::size_t third, int node, Cells& cells) const;
 };
 
 }  // namespace tilt_lens

@@ -20,6 +20,12 @@ constexpr double beyond = 2.0;  ///< the pupil, a unit disc: no ray
 /// Radius, pixels, above which cells are those of the whole pixel: exact ones would cost more than they save.
 constexpr double largeImage = 1.0;
 
+std::size_t ThirdOf(const EmitterSampling::Targets::Target& target, double hue)
+{
+    const double thirds = double(target.cells.size());
+    return std::size_t(std::clamp(0.5 * (hue + 1.0) * thirds, 0.0, thirds - 1.0));
+}
+
 } // namespace
 
 EmitterSampling::Box EmitterSampling::PixelsOf(const FilmBox& film) const
@@ -34,8 +40,7 @@ const GlassSight::Cells& EmitterSampling::CellsAt(const Targets::Target& target,
                                                   GlassSight::Cells& some) const
 {
     const Kept& emitter = kept[target.emitter];
-    const double thirds = double(target.cells.size());
-    const auto third = std::size_t(std::clamp(0.5 * (hue + 1.0) * thirds, 0.0, thirds - 1.0));
+    const std::size_t third = ThirdOf(target, hue);
     const GlassSight::Cells& all = target.cells[third];
     if (emitter.imageRadius > largeImage)
         return all;
@@ -71,8 +76,9 @@ double EmitterSampling::OverPlain(const Targets& targets, const FilmPoint& film,
     double density = 1.0 - targets.share;
     GlassSight::Cells some;
     for (const Targets::Target& target : targets.targets)
-        if (const GlassSight::Cells& cells = CellsAt(target, film, hue, some); std::binary_search(cells.begin(), cells.end(), cell))
-            density += target.share * passing / cells.size();
+        if (const GlassSight::Cells& all = target.cells[ThirdOf(target, hue)]; std::binary_search(all.begin(), all.end(), cell))
+            if (const GlassSight::Cells& cells = CellsAt(target, film, hue, some); std::binary_search(cells.begin(), cells.end(), cell))
+                density += target.share * passing / cells.size();
     return 1.0 / density;
 }
 
