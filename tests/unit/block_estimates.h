@@ -6,6 +6,7 @@
 
 #include <cstdint>
 
+#include "picture_edges.h"
 #include "tile_results.h"
 #include "tilt_lens/stop_rule/block_estimate.h"
 
@@ -33,7 +34,7 @@ inline void TakeRound(BlockEstimate& estimate, std::uint32_t until, const Tracer
 
 inline BlockEstimate FirstEstimate(const Area& area, std::uint32_t samples, const Tracer& trace)
 {
-    BlockEstimate estimate(area, Settings());
+    BlockEstimate estimate(area, kFarEdges, Settings());
     TakeRound(estimate, samples, trace);
     return estimate;
 }

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "picture_edges.h"
 #include "tilt_lens/camera/aperture.h"
 #include "tilt_lens/reconstruction/spread.h"
 #include "tilt_lens/samples/sequence.h"
@@ -34,7 +35,7 @@ std::shared_ptr<const PaddedSpread> LampHitByOneIn(std::uint32_t every)
     }
     PaddedSpread::Sent sent{};
     sent[4] = sums.get();
-    return PaddedSpread::Of(sent);
+    return PaddedSpread::Of(sent, kFarEdges);
 }
 
 constexpr std::size_t kMiddle = std::size_t(PaddedBlock::At(8, 8));

@@ -78,7 +78,7 @@ std::shared_ptr<const PaddedSpread> WideCircles()
             sums.Add(column, row, {column + 0.5f, row + 0.5f, 6.0f, 0.0f, 0.0f, 6.0f, &lens}, Radiance{});
     PaddedSpread::Sent sent{};
     sent[4] = &sums;
-    return PaddedSpread::Of(sent);
+    return PaddedSpread::Of(sent, kFarEdges);
 }
 
 TEST(UpdateConvergence, PixelsThatHaveStoppedDoNotKeepAnotherGoing)

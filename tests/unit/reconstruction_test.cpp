@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include "picture_edges.h"
+
 namespace tilt_lens
 {
 namespace
@@ -35,7 +37,7 @@ Pixel Noisy(double truth, double variance, std::mt19937& random)
     return pixel;
 }
 
-PaddedBlock Make(const std::function<Pixel(int, int)>& pixel)
+PaddedBlock Make(const std::function<Pixel(int, int)>& pixel, const PictureEdges& edges = kFarEdges)
 {
     std::array<BlockStatistics, 9> blocks;
     std::array<const BlockStatistics*, 9> places;
@@ -49,7 +51,7 @@ PaddedBlock Make(const std::function<Pixel(int, int)>& pixel)
             }
         places[i] = &blocks[i];
     }
-    return PaddedBlock(places);
+    return PaddedBlock(places, edges);
 }
 
 struct Errors
@@ -157,7 +159,7 @@ TEST(Reconstruction, MirrorsBlocksForUnknownNeighbours)
             if (i == 4 || known >> (i < 4 ? i : i - 1) & 1)
                 places[i] = &blocks[i];
         }
-        const PaddedBlock around(places);
+        const PaddedBlock around(places, kFarEdges);
         for (int y = -PaddedBlock::kBorder; y < kSide + PaddedBlock::kBorder; y++)
             for (int x = -PaddedBlock::kBorder; x < kSide + PaddedBlock::kBorder; x++)
             {
@@ -190,6 +192,41 @@ TEST(Reconstruction, RepeatsPixelsBeyondThePicturesEdge)
         for (int x = 0; x < kSide; x++)
             for (const BlockPlane* plane : {&block.Mean(0), &block.Noise()})
                 EXPECT_EQ((*plane)[y * kSide + x], 10.0f * std::min(y, 2) + std::min(x, 4));
+}
+
+TEST(Reconstruction, ThePictureIsMirroredAtItsEdges)
+{
+    constexpr PictureEdges edges{0, -20, 20, 12};
+    const PaddedBlock around = Make([](int x, int y) { return Pixel{{10.0 + x + 100.0 * y}, 20.0 + x + 100.0 * y}; }, edges);
+    for (int y = -PaddedBlock::kBorder; y < 12 + PaddedBlock::kBorder; y++)
+        for (int x = -PaddedBlock::kBorder; x < kSide + PaddedBlock::kBorder; x++)
+        {
+            const int u = x < 0 ? -1 - x : x < 20 ? x : 39 - x, v = y < 12 ? y : 23 - y, at = PaddedBlock::At(x, y);
+            ASSERT_EQ(around.Mean(0)[at], 10.0f + u + 100.0f * v) << x << ", " << y;
+            ASSERT_EQ(around.Noise()[at], 20.0f + u + 100.0f * v) << x << ", " << y;
+        }
+}
+
+/// However many pixels of the last block are in the picture.
+TEST(Reconstruction, LeavesLittleMoreNoiseAtThePicturesEdges)
+{
+    std::mt19937 random(11);
+    for (const int height : {2, 5, 12, kSide})
+    {
+        double edge = 0.0, before = 0.0;
+        for (int picture = 0; picture < 200; picture++)
+        {
+            const PictureEdges edges{-kSide, -kSide, 2 * kSide, height};
+            const PaddedBlock around = Make([&](int, int) { return Noisy(0.5, 0.01, random); }, edges);
+            const ReconstructedBlock rebuilt = Reconstruct(around, Settings());
+            for (int x = 0; x < kSide; x++)
+            {
+                edge += std::pow(rebuilt.mean[0][(height - 1) * kSide + x] - 0.5, 2);
+                before += std::pow(around.Mean(0)[PaddedBlock::At(x, height - 1)] - 0.5, 2);
+            }
+        }
+        EXPECT_LT(edge, 0.25 * before) << height;
+    }
 }
 
 TEST(Reconstruction, LampsLeaveDarkPixelsBesideThemUnharmed)

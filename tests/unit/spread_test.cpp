@@ -14,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include "picture_edges.h"
 #include "random_cameras.h"
 #include "tilt_lens/reconstruction/reconstruction.h"
 #include "tilt_lens/samples/sequence.h"
@@ -280,7 +281,8 @@ TEST(SpreadSums, SharpOrNonFiniteSamplesServeTheirOwnPixelAlone)
 }
 
 /// Two samples a pixel, all equally blurred.
-std::shared_ptr<const PaddedSpread> Received(const LensFootprint& lens, float radius, const std::function<double(int, int, int)>& grey)
+std::shared_ptr<const PaddedSpread> Received(const LensFootprint& lens, float radius, const std::function<double(int, int, int)>& grey,
+                                             const PictureEdges& edges = kFarEdges)
 {
     std::array<std::unique_ptr<SpreadSums>, 9> blocks;
     PaddedSpread::Sent places;
@@ -296,7 +298,7 @@ std::shared_ptr<const PaddedSpread> Received(const LensFootprint& lens, float ra
                 }
         places[i] = blocks[i].get();
     }
-    return PaddedSpread::Of(places);
+    return PaddedSpread::Of(places, edges);
 }
 
 TEST(PaddedSpread, EvenRadianceStaysEvenAndSharesSumToNearlyTheSamples)
@@ -322,9 +324,24 @@ TEST(PaddedSpread, VarianceIsThatOfTheReceivedSamples)
             EXPECT_NEAR(received->variance[PaddedBlock::At(x, y)], 3.0 * 0.3 * 0.3, 1e-5) << x << ", " << y;
 }
 
+/// Pixels behind an edge receive samples as well, but from one side alone.
+TEST(PaddedSpread, IsMirroredAtThePicturesEdges)
+{
+    const LensFootprint lens(RoundLens(), Aperture::Disc(), kWidth, kHeight);
+    const auto received = Received(lens, 3.0f, [](int x, int y, int) { return 0.01 * x * y; }, {0, -kSide, 2 * kSide, 12});
+    for (int i = 0; i < PaddedBlock::kBorder; i++)
+        for (int at = 0; at < kSide; at++)
+            for (const PaddedSpread::Plane* plane : {&received->mean[0], &received->mean[2], &received->variance, &received->share,
+                                                     &received->samples, &received->ownShare, &received->ownWeight})
+            {
+                ASSERT_EQ((*plane)[PaddedBlock::At(at, 12 + i)], (*plane)[PaddedBlock::At(at, 11 - i)]) << at << ", " << i;
+                ASSERT_EQ((*plane)[PaddedBlock::At(-1 - i, at)], (*plane)[PaddedBlock::At(i, at)]) << at << ", " << i;
+            }
+}
+
 TEST(PaddedSpread, IsNullWhereNothingWasSent)
 {
-    EXPECT_EQ(PaddedSpread::Of({}), nullptr);
+    EXPECT_EQ(PaddedSpread::Of({}, kFarEdges), nullptr);
 }
 
 TEST(PaddedSpread, PixelsThatReceivedNothingKeepTheirOwnMean)
@@ -335,7 +352,7 @@ TEST(PaddedSpread, PixelsThatReceivedNothingKeepTheirOwnMean)
         sums->Add(0, 0, CircleAt(lens, 0.5f, 0.5f, 2.0f), Radiance{1.0, 1.0, 1.0, 0.0, 0.0});
     PaddedSpread::Sent sent{};
     sent[4] = sums.get();
-    const auto received = PaddedSpread::Of(sent);
+    const auto received = PaddedSpread::Of(sent, kFarEdges);
     EXPECT_GT(received->share[PaddedBlock::At(1, 0)], 0.0f);
     EXPECT_LT(received->ownShare[PaddedBlock::At(0, 0)], 0.2f);
     EXPECT_EQ(received->share[PaddedBlock::At(10, 10)], 0.0f);
@@ -362,7 +379,7 @@ TEST(Reconstruction, SharpSamplesHaveTheirPartOfTheSpreadEstimate)
         sent[i] = sums[i].get();
         known[i] = &statistics[i];
     }
-    const ReconstructedBlock estimates = SpreadEstimates(PaddedBlock(known), Settings(), *PaddedSpread::Of(sent));
+    const ReconstructedBlock estimates = SpreadEstimates(PaddedBlock(known, kFarEdges), Settings(), *PaddedSpread::Of(sent, kFarEdges));
     for (const float mean : estimates.mean[0])
         EXPECT_NEAR(mean, 0.5, 0.03);
 }
@@ -389,7 +406,7 @@ TEST(Reconstruction, SpreadSamplesRemoveMoreNoiseThanFilters)
                 }
             known[i] = &statistics[i];
         }
-        const PaddedBlock around(known);
+        const PaddedBlock around(known, kFarEdges);
         const ReconstructedBlock plain = Reconstruct(around, Settings()), spread = Reconstruct(around, Settings(), received.get());
         for (float value : plain.mean[0])
             without += Square(value - 0.5);

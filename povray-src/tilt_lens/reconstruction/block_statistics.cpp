@@ -52,7 +52,7 @@ void BlockStatistics::RepeatEdges(std::uint32_t width, std::uint32_t height)
                 plane[y * Settings::blockSide + x] = plane[std::min(y, height - 1) * Settings::blockSide + std::min(x, width - 1)];
 }
 
-PaddedBlock::PaddedBlock(const std::array<const BlockStatistics*, 9>& blocks)
+PaddedBlock::PaddedBlock(const std::array<const BlockStatistics*, 9>& blocks, const PictureEdges& edges)
 {
     constexpr int begin[] = {-kBorder, 0, kSide, kSide + kBorder};
     for (int i = 0; i < 9; i++)
@@ -69,6 +69,25 @@ PaddedBlock::PaddedBlock(const std::array<const BlockStatistics*, 9>& blocks)
             for (std::size_t plane = 0; plane < planes.size(); plane++)
                 CopyRow(&block[plane][from], column - 1, mirrorX, &planes[plane][At(-kBorder, y)]);
         }
+    }
+    for (Plane& plane : planes)
+        Mirror(edges, plane);
+}
+
+void PaddedBlock::Mirror(const PictureEdges& edges, Plane& plane)
+{
+    constexpr int first = -kBorder, end = kSide + kBorder;
+    const auto copyRow = [&](int from, int to) { std::copy_n(&plane[At(first, from)], end - first, &plane[At(first, to)]); };
+    for (int y = edges.bottom; y < end; y++)
+        copyRow(std::max(2 * edges.bottom - 1 - y, first), y);
+    for (int y = edges.top - 1; y >= first; y--)
+        copyRow(std::min(2 * edges.top - 1 - y, end - 1), y);
+    for (int y = first; y < end; y++)
+    {
+        for (int x = edges.right; x < end; x++)
+            plane[At(x, y)] = plane[At(std::max(2 * edges.right - 1 - x, first), y)];
+        for (int x = edges.left - 1; x >= first; x--)
+            plane[At(x, y)] = plane[At(std::min(2 * edges.left - 1 - x, end - 1), y)];
     }
 }
 

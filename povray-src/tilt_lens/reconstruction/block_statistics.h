@@ -46,6 +46,12 @@ class BlockStatistics
     bool transparent = false;
 };
 
+/// Pixels from a block's upper left corner: the first ones in the picture, and the first ones behind it.
+struct PictureEdges
+{
+    int left, top, right, bottom;
+};
+
 /// Its border is as wide as filters and their risks reach.
 class PaddedBlock
 {
@@ -59,7 +65,10 @@ class PaddedBlock
     TILT_LENS_INLINED static constexpr int At(int x, int y) { return (y + kBorder) * kColumns + x + kBorder; }
 
     /// @param blocks  row by row; for null (outside the picture or unknown) the nearest is mirrored
-    explicit PaddedBlock(const std::array<const BlockStatistics*, 9>& blocks);
+    PaddedBlock(const std::array<const BlockStatistics*, 9>& blocks, const PictureEdges& edges);
+
+    /// Mirrors the picture at its edges: filters that mean more than the pixels there need others of about the same colour.
+    static void Mirror(const PictureEdges& edges, Plane& plane);
 
     const Plane& Mean(std::size_t channel) const { return planes[BlockStatistics::kMean + channel]; }
     const Plane& Noise() const { return planes[BlockStatistics::kNoise]; }

@@ -9,10 +9,10 @@
 namespace tilt_lens
 {
 
-std::shared_ptr<const PaddedSpread> PaddedSpread::Of(const Sent& sent)
+std::shared_ptr<const PaddedSpread> PaddedSpread::Of(const Sent& sent, const PictureEdges& edges)
 {
     const bool any = std::any_of(sent.begin(), sent.end(), [](const SpreadSums* one) { return one != nullptr; });
-    return any ? std::shared_ptr<const PaddedSpread>(new PaddedSpread(sent)) : nullptr;
+    return any ? std::shared_ptr<const PaddedSpread>(new PaddedSpread(sent, edges)) : nullptr;
 }
 
 namespace
@@ -35,7 +35,7 @@ constexpr float kRounding = 1e-4f;
 
 } // namespace
 
-PaddedSpread::PaddedSpread(const Sent& sent)
+PaddedSpread::PaddedSpread(const Sent& sent, const PictureEdges& edges)
 {
     const auto received = std::make_unique<Received>();
     ownShare.fill(1.0f);
@@ -60,6 +60,8 @@ PaddedSpread::PaddedSpread(const Sent& sent)
     }
     for (std::size_t at = 0; at < share.size(); at += 4)
         Finish(*received, at);
+    for (Plane* plane : {&mean[0], &mean[1], &mean[2], &variance, &share, &samples, &ownShare, &ownWeight})
+        PaddedBlock::Mirror(edges, *plane);
 }
 
 void PaddedSpread::Finish(const Received& received, std::size_t at)

@@ -26,7 +26,7 @@ class PaddedSpread
 
     /// @param sent  by the block, in the middle, and its neighbours; null: none
     /// @return      null if nothing was spread
-    static std::shared_ptr<const PaddedSpread> Of(const Sent& sent);
+    static std::shared_ptr<const PaddedSpread> Of(const Sent& sent, const PictureEdges& edges);
 
     std::array<Plane, 3> mean;  ///< of received samples, a pixel's own included; 0: none
     Plane variance;  ///< of one received sample, summed over the channels
@@ -38,7 +38,7 @@ class PaddedSpread
   private:
     using Received = std::array<Plane, SpreadSums::kSums>;
 
-    explicit PaddedSpread(const Sent& sent);
+    PaddedSpread(const Sent& sent, const PictureEdges& edges);
     void Finish(const Received& received, std::size_t at);
 };
 

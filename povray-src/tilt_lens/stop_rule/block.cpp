@@ -86,7 +86,7 @@ bool Block::TakeStep(int stepsTaken, const Neighbours& neighbours, const Samplin
 
 void Block::Look(const SamplingLimits& limits, const Tracer& trace)
 {
-    auto first = std::make_unique<BlockEstimate>(area, limits.settings);
+    auto first = std::make_unique<BlockEstimate>(area, edges, limits.settings);
     const std::uint32_t samples = limits.FirstRound();
     sent.Clear();  // left by an interrupted step
     TakeSamples(*first, samples, limits, limits.variance > 0.0 ? &sent : nullptr, trace);
@@ -120,7 +120,7 @@ void Block::Converge(const Neighbours& neighbours, const SamplingLimits& limits,
     const Neighbourhood around(EachOf<FirstRound>(neighbours, &Block::firstRound), limits);
     auto converged = std::make_unique<BlockEstimate>(*estimate);
     const std::uint32_t samples = limits.FirstRound();
-    converged->spread = PaddedSpread::Of(EachOf<SpreadSums>(around.rounds, &FirstRound::spread));
+    converged->spread = PaddedSpread::Of(EachOf<SpreadSums>(around.rounds, &FirstRound::spread), edges);
     spread = firstRound->spread;
     if (UpdateConvergence(*converged, around, limits, samples))
     {
@@ -142,7 +142,7 @@ void Block::Finish(const Neighbours& neighbours, const SamplingLimits& limits, c
 {
     std::shared_ptr<const PaddedSpread> received;
     if (limits.Denoises())
-        received = PaddedSpread::Of(EachOf<SpreadSums>(neighbours, &Block::spread));
+        received = PaddedSpread::Of(EachOf<SpreadSums>(neighbours, &Block::spread), edges);
     const Neighbourhood around(EachOf<FirstRound>(neighbours, &Block::firstRound), limits);
     BlockEstimate last = *estimate;
     if (const std::uint32_t samples = received ? ActivateWhereMissed(last, *received, limits) : 0)
@@ -189,7 +189,7 @@ void Block::ReconstructResults(const Neighbours& neighbours, const SamplingLimit
         return;
     std::array<const BlockStatistics*, 9> known = EachOf<BlockStatistics>(neighbours, &Block::statistics);
     known[4] = own;
-    const PaddedBlock padded(known);
+    const PaddedBlock padded(known, edges);
     const ReconstructedBlock reconstructed = limits.max == 1 ? SpreadEstimates(padded, limits.settings, *received)
                                                              : Reconstruct(padded, limits.settings, received, rows);
     for (std::size_t i = 0; i < results.size(); i++)

@@ -58,7 +58,9 @@ class Block
 
     /// @param width, height  whole picture, pixels
     Block(const Area& area, std::uint32_t width, std::uint32_t height, const Settings& settings) :
-        area(area), sent(area, width, height, settings.mostSentSamples)
+        area(area),
+        edges{-int(area.left), -int(area.top), int(width - area.left), int(height - area.top)},
+        sent(area, width, height, settings.mostSentSamples)
     {
     }
 
@@ -73,6 +75,7 @@ class Block
     const PixelResult& ResultOf(std::uint32_t x, std::uint32_t y) const { return results[area.IndexOf(x, y)]; }
 
   private:
+    const PictureEdges edges;
     std::atomic<int> phase{0};  ///< twice the steps taken, plus 1 during a step
 
     /// @name Left by the first step

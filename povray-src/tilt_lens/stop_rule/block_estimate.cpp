@@ -8,7 +8,8 @@
 namespace tilt_lens
 {
 
-BlockEstimate::BlockEstimate(const Area& area, const Settings& settings) : area(area), pixels(area.Size()), settings(settings)
+BlockEstimate::BlockEstimate(const Area& area, const PictureEdges& edges, const Settings& settings) :
+    area(area), edges(edges), pixels(area.Size()), settings(settings)
 {
     for (PixelEstimate& pixel : pixels)
         pixel.residualVarianceBound = 1.0 / settings.greatestRisk;

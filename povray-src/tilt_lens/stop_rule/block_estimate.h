@@ -41,6 +41,7 @@ using Quadrants = std::array<double, 4>;
 struct BlockEstimate
 {
     Area area;
+    PictureEdges edges;
     std::vector<PixelEstimate> pixels;          ///< row by row
     Quadrants dualBufferRatio{1.0, 1.0, 1.0, 1.0};  ///< variance by dual buffers over that of independent samples
     std::shared_ptr<const BlockStatistics> statistics;  ///< null: no denoising
@@ -49,7 +50,7 @@ struct BlockEstimate
 
     Settings settings;
 
-    BlockEstimate(const Area& area, const Settings& settings);
+    BlockEstimate(const Area& area, const PictureEdges& edges, const Settings& settings);
 
     std::size_t QuadrantOf(std::size_t pixel) const
     {

@@ -31,7 +31,7 @@ BlockPlane ForecastBounds(BlockEstimate& estimate, const Neighbourhood& around, 
     if (afterFirstRound)
         known = EachOf<BlockStatistics>(around.rounds, &FirstRound::statistics);
     known[4] = estimate.statistics.get();
-    return Reconstruct(PaddedBlock(known), estimate.settings, estimate.spread.get(), rows).residualVarianceBound;
+    return Reconstruct(PaddedBlock(known, estimate.edges), estimate.settings, estimate.spread.get(), rows).residualVarianceBound;
 }
 
 /// Variance of one sample, summed over the channels: mean of the 3 by 3 window within the block.
