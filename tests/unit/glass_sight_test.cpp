@@ -60,7 +60,7 @@ TEST_P(GlassSights, RaysOfFilmPointsFoundMeetTheTarget)
         {
             SCOPED_TRACE(target.x);
             const FilmSearch search(camera, target);
-            const double across = 36.0 / 50.0 * target.z;  // of what the film shows there, about
+            const double across = 36.0 / 50.0 * target.z;  // width of the scene that the film shows there, about
             for (int i = 0; i < 100; i++)
             {
                 const auto pupil = [i](int j) { return Aperture::Disc()(i / 99.0, j / 3.0); };

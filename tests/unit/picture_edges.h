@@ -9,7 +9,7 @@
 namespace tilt_lens
 {
 
-/// Of a block in the middle of a picture of three by three.
+/// For the middle block of a picture of three by three.
 constexpr PictureEdges kFarEdges{-int(Settings::blockSide), -int(Settings::blockSide), 2 * int(Settings::blockSide),
                                  2 * int(Settings::blockSide)};
 

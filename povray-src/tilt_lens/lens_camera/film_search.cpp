@@ -15,8 +15,8 @@ constexpr int kMostSteps = 12;
 constexpr double kNearEnough = 1e-5;  ///< last step, in frames: the next would be much shorter
 constexpr double kDifference = 1e-4;  ///< for derivatives
 constexpr double kLongestStep = 0.2;
-constexpr double kSide = 0.7;  ///< radius of pupil points that tell how the film point moves with them
-constexpr double kLeastChange = 0.1;  ///< of a step, over the change expected, from which a slope learns
+constexpr double kSideRadius = 0.7;   ///< pupil points whose film points give the derivatives by the pupil's coordinates
+constexpr double kLeastShare = 0.1;   ///< a slope learns only from a step that has this share of the predicted effect
 
 constexpr FilmPoint kNone{NAN, NAN};
 
@@ -79,7 +79,7 @@ void FilmSearch::Slope::Learn(const FilmPoint& step, const FilmPoint& change)
 {
     const FilmPoint predicted = *this * change, back{step.x * x.x + step.y * y.x, step.x * x.y + step.y * y.y};
     const double length = Dot(step, predicted);
-    if (!(std::fabs(length) > kLeastChange * Dot(step, step)))
+    if (!(std::fabs(length) > kLeastShare * Dot(step, step)))
         return;
     const double byX = (step.x - predicted.x) / length, byY = (step.y - predicted.y) / length;
     x = {x.x + byX * back.x, x.y + byX * back.y};
@@ -99,11 +99,11 @@ void FilmSearch::FindSlope(const FilmPoint& film)
 void FilmSearch::FindStart(const FilmPoint& near)
 {
     middle = FilmsOf({}, 0.0, {near, near, near, near})[0];
-    const FourApertures sides{{{kSide, 0.0}, {-kSide, 0.0}, {0.0, kSide}, {0.0, -kSide}}};
+    const FourApertures sides{{{kSideRadius, 0.0}, {-kSideRadius, 0.0}, {0.0, kSideRadius}, {0.0, -kSideRadius}}};
     const FourFilms films = FilmsOf(sides, 0.0, {middle, middle, middle, middle});
     const auto derivative = [](const FilmPoint& high, const FilmPoint& low)
     {
-        const FilmPoint by{0.5 / kSide * (high.x - low.x), 0.5 / kSide * (high.y - low.y)};
+        const FilmPoint by{0.5 / kSideRadius * (high.x - low.x), 0.5 / kSideRadius * (high.y - low.y)};
         return IsFinite(by) ? by : FilmPoint{0.0, 0.0};
     };
     byA = derivative(films[0], films[1]);
@@ -116,10 +116,11 @@ FourFilms FilmSearch::MissesOf(const FourFilms& films, const FourApertures& pupi
     FourGlassPoints points{};
     for (int i = 0; i < 4; i++)
     {
-        const FilmPoint film = IsFinite(films[i]) ? films[i] : FilmPoint{0.0, 0.0};
-        points.wanted |= (IsFinite(films[i]) ? 1u : 0u) << i;
-        points.x[i] = film.x, points.y[i] = film.y;
         points.u[i] = pupil[i].a, points.v[i] = pupil[i].b;
+        if (!IsFinite(films[i]))
+            continue;
+        points.x[i] = films[i].x, points.y[i] = films[i].y;
+        points.wanted |= 1u << i;
     }
     points.aimed = points.wanted;
     FourGlassSamples rays;

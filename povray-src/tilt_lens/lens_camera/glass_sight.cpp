@@ -133,8 +133,15 @@ GlassSight::GlassSight(const GlassCamera& camera, const Vec3& target) : trees(ca
             }
         for (int node = int(tree.size()) - 1; node > 0; node--)
             tree[(node - 1) / 4].Include(tree[node]);
-        all.Include(tree[0]);
     }
+}
+
+FilmBox GlassSight::Box() const
+{
+    Image all;
+    for (const Tree& tree : trees)
+        all.Include(tree[0]);
+    return {all.left, all.right, all.bottom, all.top};
 }
 
 /// Adds cells of a part of the pupil.

@@ -64,7 +64,7 @@ class GlassSight
     std::size_t Thirds() const { return trees.size(); }
 
     /// Around all film points that see the target.
-    FilmBox Box() const { return {all.left, all.right, all.bottom, all.top}; }
+    FilmBox Box() const;
 
     /// Cells through which film points in the box see the target.
     Cells CellsOf(const FilmBox& box, std::size_t third) const;
@@ -81,7 +81,6 @@ class GlassSight
     using Tree = std::array<Image, kFirstCell + kCount>;
 
     std::vector<Tree> trees;  ///< by thirds
-    Image all;
 
     void Collect(const FilmBox& box, std::size_t third, int node, Cells& cells) const;
 };

@@ -46,7 +46,7 @@ class BlockStatistics
     bool transparent = false;
 };
 
-/// Pixels from a block's upper left corner: the first ones in the picture, and the first ones behind it.
+/// First columns and rows of the picture, and the first ones beyond it; pixels from a block's upper left corner.
 struct PictureEdges
 {
     int left, top, right, bottom;
@@ -67,7 +67,7 @@ class PaddedBlock
     /// @param blocks  row by row; for null (outside the picture or unknown) the nearest is mirrored
     PaddedBlock(const std::array<const BlockStatistics*, 9>& blocks, const PictureEdges& edges);
 
-    /// Mirrors the picture at its edges: filters that mean more than the pixels there need others of about the same colour.
+    /// Fills pixels outside the picture with those inside, mirrored at its edges: filters and their risks read them.
     static void Mirror(const PictureEdges& edges, Plane& plane);
 
     const Plane& Mean(std::size_t channel) const { return planes[BlockStatistics::kMean + channel]; }

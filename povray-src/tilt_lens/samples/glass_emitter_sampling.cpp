@@ -74,10 +74,11 @@ double EmitterSampling::OverPlain(const Targets& targets, const FilmPoint& film,
     const double passing = plain.camera->Glass()->PassingShare(film) * GlassSight::kCount;
     const std::uint16_t cell = GlassSight::CellAt(pupil);
     double density = 1.0 - targets.share;
+    const auto hold = [cell](const GlassSight::Cells& cells) { return std::binary_search(cells.begin(), cells.end(), cell); };
     GlassSight::Cells some;
     for (const Targets::Target& target : targets.targets)
-        if (const GlassSight::Cells& all = target.cells[ThirdOf(target, hue)]; std::binary_search(all.begin(), all.end(), cell))
-            if (const GlassSight::Cells& cells = CellsAt(target, film, hue, some); std::binary_search(cells.begin(), cells.end(), cell))
+        if (hold(target.cells[ThirdOf(target, hue)]))  // few do: CellsAt() costs more
+            if (const GlassSight::Cells& cells = CellsAt(target, film, hue, some); hold(cells))
                 density += target.share * passing / cells.size();
     return 1.0 / density;
 }
