@@ -3,8 +3,10 @@
 """The contract of `variance V`: mean square error at most 1.2 V, at most 5 % of the pixels off by more than 2 sqrt(V). Pixels beyond the
 least samples should have at least V/4. The estimated standard error should be 0.8 to 1.2 times the true one."""
 
+import statistics
+
 from benchmarks import suite
-from benchmarks.lab import TILT_LENS, Part, digest, samples_spent
+from benchmarks.lab import TILT_LENS, Part, digest, samples_spent, standard_error
 
 SIZE = (64, 48)
 # part `crops`: the middle of a large picture, with fewer edges
@@ -16,18 +18,18 @@ LEAST, MOST = 4, 262144  # no pixel should need the largest number
 
 
 def claims(lab, shot, reference, first, count, variance):
-    key = digest("claims and their room", lab.hashes[lab.ours], shot.settings(), shot.sources(), reference.name, first, count)
+    key = digest("claims and room, summary", lab.hashes[lab.ours], shot.settings(), shot.sources(), reference.name, first, count)
     record = lab.runs.get((key, 0))
     if record is None:
-        pictures = [lab.work / "claims" / f"{key}-{number}.png" for number in range(count)]
-        spent = [
-            samples_spent(lab.render(lab.ours, shot.independent(first + number), picture)[0]) for number, picture in enumerate(pictures)
-        ]
+        pictures = [lab.work / "claims" / f"{key}-{number}.exr" for number in range(count)]
+        said = [lab.render(lab.ours, shot.independent(first + number), picture)[0] for number, picture in enumerate(pictures)]
         (found,) = lab.tool("noise", "claims", reference, *pictures, "--variance", variance, "--more-than", LEAST)
         for picture in pictures:
             picture.unlink()
             picture.with_suffix(".layers.exr").unlink()
-        record = {"key": key, "repetition": 0, "samples": sum(samples.get("samples", 0.0) for samples in spent) / count, **found}
+        samples = statistics.fmean(samples_spent(text).get("samples", 0.0) for text in said)
+        estimated = statistics.fmean(standard_error(text) ** 2 for text in said) ** 0.5
+        record = {"key": key, "repetition": 0, "samples": samples, "estimated": estimated, **found}
         lab.keep(record)
     return record
 
@@ -37,7 +39,7 @@ def measure(lab, scene, tilted, part=None):
     batches, samples = scene.reference
     kept = {"size": SIZE, "part": part}
     times = max(4, scene.contract // 4) if lab.quick else scene.contract
-    reference = lab.reference(scene.shot(TILT_LENS, tilted, **kept), batches, times * samples)
+    reference = lab.reference(scene.shot(TILT_LENS, tilted, **kept), batches, times * samples, unclipped=True)
     rows = []
     for variance, count in (QUICK if lab.quick else PICTURES).items():
         shot = scene.shot(TILT_LENS, tilted, declare=suite.limits(LEAST, MOST, variance), options=("+N",), **kept)

@@ -154,12 +154,14 @@ class Lab:
             path.with_name(path.name + ".part").rename(path)
         return ["+RFI", f"+RF{path}", "Radiosity_Vain_Pretrace=off"]
 
-    def reference(self, shot, batches, samples):
-        """The mean of independent tilt_lens pictures with the same number of samples in each pixel, made once."""
+    def reference(self, shot, batches, samples, unclipped=False):
+        """The mean of independent tilt_lens pictures with the same number of samples in each pixel, made once.
+
+        Clipped at white, unless lamps matter in full."""
         if shot.form == PINHOLE:  # sharp as a pinhole
             shot = dataclasses.replace(shot, form=TILT_LENS, declare=(("Blur", 1e-7), *shot.declare))
         samples = samples // 2 if self.quick else samples
-        name = digest(shot.settings(), shot.sources(), batches, samples)
+        name = digest(shot.settings(), shot.sources(), batches, samples, *(["unclipped"] if unclipped else []))
         path = self.work / "references" / f"{shot.scene}-{name}.exr"
         if path.is_file():
             return path
@@ -168,10 +170,10 @@ class Lab:
         pictures = []
         even = dataclasses.replace(shot, threads=2, declare=(*shot.declare, ("Min", samples), ("Max", samples), ("Variance", 0)))
         for batch in range(1, batches + 1):
-            pictures.append(self.work / "references" / f"{path.stem}-{batch}.png")
+            pictures.append(self.work / "references" / f"{path.stem}-{batch}.{'exr' if unclipped else 'png'}")
             self.render(self.ours, even.independent(batch), pictures[-1], low_priority=True)
         unfinished = path.with_suffix(".part.exr")
-        self.tool("noise", "reference", unfinished, *pictures, "--size", width, height)
+        self.tool("noise", "reference", unfinished, *pictures, "--size", width, height, *(["--unclipped"] if unclipped else []))
         unfinished.rename(path)
         for picture in pictures:
             picture.unlink()
@@ -227,6 +229,11 @@ class Lab:
 def cpu_of_rays(messages):
     found = re.findall(r"^  Trace Time:.*\n\s+using 1 thread\(s\) with ([0-9.]+) CPU-seconds", messages, re.M)
     return list(map(float, found))
+
+
+def standard_error(messages):
+    """Estimated root mean square error of a picture, relative above white."""
+    return float(re.search(r"^  Standard error\.+([\d.e-]+) of white", messages, re.M)[1])
 
 
 def samples_spent(messages):

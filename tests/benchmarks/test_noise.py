@@ -74,17 +74,17 @@ class Noise(unittest.TestCase):
             [
                 "oiiotool",
                 "--pattern",
-                "constant:color=8,0.2",
+                "constant:color=8",
                 "8x8",
-                "2",
+                "1",
                 "--pattern",
-                "constant:color=32,0.2",
+                "constant:color=32",
                 "8x8",
-                "2",
+                "1",
                 "--mosaic",
                 "2x1",
                 "--chnames",
-                "samples,standardError",
+                "samples",
                 "-d",
                 "float",
                 "-o",
@@ -108,14 +108,16 @@ class Noise(unittest.TestCase):
         line = self.claims(*pictures, more_than=32)
         self.assertEqual((line["mse_more"], line["share_more"]), (0.0, 0.0))
 
-    def test_standard_error_beside_the_true_one(self):
+    def test_true_error_is_relative_above_white(self):
         line = self.claims(self.halves("a", 0.25, 0.75), self.halves("b", 0.75, 0.25))
-        self.assertAlmostEqual(line["estimated"], 0.2, places=6)
         self.assertAlmostEqual(line["true"], 0.25, places=6)
-
-    def test_standard_error_of_white_is_left_out(self):
-        line = self.claims(self.halves("a", 0.75, 0.75), self.halves("b", 0.75, 0.75), reference=(0.95, 0.95))
-        self.assertEqual((line["estimated"], line["true"]), (0.0, 0.0))
+        batches = [self.grey(f"bright{i}", 4.0) for i in range(2)]
+        bright = self.folder / "bright.exr"
+        self.tool("reference", bright, *batches, "--unclipped", "--size", 16, 8)
+        pictures = [self.halves("c", 5.0, 4.0), self.halves("d", 4.0, 4.0)]
+        (line,) = self.tool("claims", bright, *pictures, "--variance", 1e-2, "--more-than", 8)
+        self.assertAlmostEqual(line["true"], 0.125, places=6)
+        self.assertEqual(line["mse"], 0.0)
 
     def test_claims_need_the_layers(self):
         pictures = [self.grey("a", 0.5), self.grey("b", 0.5)]

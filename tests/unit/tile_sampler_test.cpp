@@ -323,8 +323,10 @@ TEST(SamplingStatistics, AddsUpAndHasQuantiles)
 
     statistics.pixelsBySamples = {{8, 97}, {64, 1}};
     statistics.variance = 0.005;
+    statistics.risk = 0.07;
     other.pixelsBySamples = {{64, 1}, {1024, 1}};
     other.variance = 0.005;
+    other.risk = -0.03;
     other.notFinite = 3;
     statistics.Add(other);
     EXPECT_EQ(statistics.Pixels(), 100u);
@@ -336,7 +338,9 @@ TEST(SamplingStatistics, AddsUpAndHasQuantiles)
     EXPECT_EQ(statistics.Quantile(0.98), 64u);
     EXPECT_EQ(statistics.Quantile(0.99), 64u);
     EXPECT_EQ(statistics.Quantile(1.0), 1024u);
-    EXPECT_DOUBLE_EQ(statistics.StandardError(), 0.01);
+    EXPECT_DOUBLE_EQ(statistics.StandardError(), 0.02) << "noise and bias";
+    statistics.risk = -0.04;
+    EXPECT_DOUBLE_EQ(statistics.StandardError(), 0.01) << "noise";
 
     SamplingStatistics huge;
     huge.pixelsBySamples = {{1u << 31, 1ull << 20}};

@@ -189,7 +189,7 @@ class RiskWeightedMean
             Store(&left[i], all > Floats() ? both / (all * all) : Floats() + 1.0f);
         });
     }
-    /// Over the noise: mean risk of the block.
+    /// Over the noise: mean risk of the block. Negative where chance made the filters agree with the noise.
     float Risk() const
     {
         float sum = 0.0f, all = 0.0f;
@@ -206,7 +206,7 @@ class RiskWeightedMean
             sum += squares - (1.0f - 2.0f * centreTap[i] / weights[i]) * around.noise[i];
             all += around.noise[i];
         });
-        return sum > 0.0f ? Min(sum / all, 1.0f) : 0.0f;
+        return all > 0.0f ? Min(sum / all, 1.0f) : 0.0f;
     }
 
     const Part& Risky() const { return risky; }
@@ -365,7 +365,7 @@ TILT_LENS_INLINED void FilterChannels(const FilterInput& around, const FilterOut
         mean.Add(SpreadCandidate<false>(around, mean.Risky()));
         mean.Add(SpreadCandidate<true>(around, mean.Risky()));
     }
-    const float risk = mean.Risk();
+    const float risk = *block.risk = mean.Risk();
     Plane noiseLeft{};
     mean.FindNoiseLeft(noiseLeft);
     for (int i = 0; i < kPixels; i++)
@@ -374,7 +374,7 @@ TILT_LENS_INLINED void FilterChannels(const FilterInput& around, const FilterOut
         for (int c = 0; c < kChannels; c++)
             block.mean[c][i] = mean.MeanOf(c, at);
         block.residualVarianceBound[i] = Min(Max(risk, mean.NoiseBoundOf(at)), 1.0f);
-        block.residualVarianceRatio[i] = Min(Max(risk, noiseLeft[at]), 1.0f);
+        block.residualVarianceRatio[i] = Min(noiseLeft[at], 1.0f);
     }
 }
 
@@ -391,6 +391,7 @@ void FilterBlock(const FilterInput& input, const FilterOutput& output)
 void EstimateSpread(const FilterInput& input, const FilterOutput& output)
 {
     const SpreadCandidate<false> estimate(input, Part(input, 0));
+    *output.risk = 1.0f;
     for (int i = 0; i < kPixels; i++)
     {
         const int at = At(i % kSide, i / kSide);

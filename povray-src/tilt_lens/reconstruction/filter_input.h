@@ -28,7 +28,7 @@ struct FilterInput
 
 struct FilterOutput
 {
-    float *mean[5], *residualVarianceBound, *residualVarianceRatio;
+    float *mean[5], *residualVarianceBound, *residualVarianceRatio, *risk;
 };
 
 } // namespace tilt_lens

@@ -40,7 +40,7 @@ SpreadInput InputOf(const PaddedSpread& spread)
 
 FilterOutput OutputTo(ReconstructedBlock& block)
 {
-    FilterOutput output{{}, block.residualVarianceBound.data(), block.residualVarianceRatio.data()};
+    FilterOutput output{{}, block.residualVarianceBound.data(), block.residualVarianceRatio.data(), &block.risk};
     for (int c = 0; c < 5; c++)
         output.mean[c] = block.mean[c].data();
     return output;

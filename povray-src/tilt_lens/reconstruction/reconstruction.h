@@ -27,6 +27,7 @@ struct ReconstructedBlock
     std::array<BlockPlane, 5> mean;
     BlockPlane residualVarianceBound;  ///< at most this fraction of variance remains, (0, 1]
     BlockPlane residualVarianceRatio;  ///< estimate of the same
+    float risk;                        ///< Stein's estimate of the mean square error, bias included, over the variance: [-1, 1]
 
     /// Not finite beside a pixel too bright for a float.
     Radiance MeanOf(std::size_t pixel) const;

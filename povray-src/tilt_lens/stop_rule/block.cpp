@@ -192,18 +192,26 @@ void Block::ReconstructResults(const Neighbours& neighbours, const SamplingLimit
     const PaddedBlock padded(known, edges);
     const ReconstructedBlock reconstructed = limits.max == 1 ? SpreadEstimates(padded, limits.settings, *received)
                                                              : Reconstruct(padded, limits.settings, received, rows);
+    double risk = 0.0, variance = 0.0;
     for (std::size_t i = 0; i < results.size(); i++)
     {
         PixelResult& pixel = results[i];
         const int row = int(i / area.width);
         const std::size_t place = row * Settings::blockSide + i % area.width;
         const Radiance mean = reconstructed.MeanOf(place);
-        if (!rows.Has(row) || !IsFinite(mean))  // beside a pixel too bright for a float
-            continue;
-        std::copy(mean.begin(), mean.end(), pixel.mean.begin());
-        pixel.variance *= reconstructed.residualVarianceRatio[place];
-        pixel.reconstructed = true;
+        if (rows.Has(row) && IsFinite(mean))  // not finite beside a pixel too bright for a float
+        {
+            risk += pixel.variance * reconstructed.risk;
+            std::copy(mean.begin(), mean.end(), pixel.mean.begin());
+            pixel.variance *= reconstructed.residualVarianceRatio[place];
+            pixel.reconstructed = true;
+        }
+        else
+            risk += pixel.variance;
+        variance += pixel.variance;
     }
+    if (variance > 0.0)
+        riskOverVariance = FiniteFloat(risk / variance);
 }
 
 Rows Block::NoisyRows() const

@@ -36,7 +36,7 @@ namespace tilt_lens
 
 struct PixelResult
 {
-    float variance = 0.0f;  ///< variance of the mean, averaged over colours, relative to SquaredScale
+    float variance = 0.0f;  ///< of the mean, averaged over colours, relative to SquaredScale
     std::array<float, 5> mean{};
     std::uint32_t samples = 0, notFinite = 0, emitterSamples = 0;
     bool reconstructed = false;
@@ -73,6 +73,8 @@ class Block
 
     /// Valid after all steps; (x, y) in the whole picture.
     const PixelResult& ResultOf(std::uint32_t x, std::uint32_t y) const { return results[area.IndexOf(x, y)]; }
+    /// Mean square error of the block, bias included, over the mean of its variances. Negative by chance: for sums over many blocks.
+    float RiskOverVariance() const { return riskOverVariance; }
 
   private:
     const PictureEdges edges;
@@ -92,6 +94,7 @@ class Block
     std::unique_ptr<const BlockEstimate> estimate;  ///< until the last step
     SentSamples sent;  ///< until the second step
     std::vector<PixelResult> results;
+    float riskOverVariance = 1.0f;
     /// @}
 
     void Look(const SamplingLimits& limits, const Tracer& trace);

@@ -3,6 +3,7 @@
 
 #include "tilt_lens/stop_rule/sampling_statistics.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace tilt_lens
@@ -13,6 +14,7 @@ void SamplingStatistics::Add(const SamplingStatistics& other)
     for (const auto& entry : other.pixelsBySamples)
         pixelsBySamples[entry.first] += entry.second;
     variance += other.variance;
+    risk += other.risk;
     notFinite += other.notFinite;
     emitterSampled += other.emitterSampled;
     reconstructed += other.reconstructed;
@@ -66,7 +68,7 @@ std::uint32_t SamplingStatistics::Quantile(double share) const
 double SamplingStatistics::StandardError() const
 {
     const std::uint64_t pixels = Pixels();
-    return pixels == 0 ? 0.0 : std::sqrt(variance / pixels);
+    return pixels == 0 ? 0.0 : std::sqrt(std::max(variance, risk) / pixels);
 }
 
 } // namespace tilt_lens

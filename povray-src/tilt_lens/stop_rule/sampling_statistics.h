@@ -17,6 +17,7 @@ struct SamplingStatistics
 {
     std::map<std::uint32_t, std::uint64_t> pixelsBySamples;
     double variance = 0.0;                                   ///< sum over the pixels, mean of the colours
+    double risk = 0.0;                                       ///< the same, bias included; chance may make it smaller
     std::uint64_t notFinite = 0;
     std::uint64_t emitterSampled = 0;
     std::uint64_t reconstructed = 0;
@@ -30,7 +31,7 @@ struct SamplingStatistics
     std::uint64_t PixelsUpTo(std::uint32_t samples) const;
     std::uint32_t Most() const;
     std::uint32_t Quantile(double share) const;
-    /// Root of the mean estimated variance.
+    /// Root of the pixels' mean square error: of the noise, or of noise and bias if this is more.
     double StandardError() const;
 };
 

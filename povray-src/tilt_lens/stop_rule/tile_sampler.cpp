@@ -10,6 +10,7 @@ void TileSampler::Run(const Area& wanted, const Tracer& trace)
 {
     tile = wanted;
     pixels.assign(tile.Size(), PixelResult());
+    risk = 0.0;
     std::vector<BlockCache::Place> places;
     for (std::uint32_t y = tile.top - tile.top % Settings::blockSide; y < tile.Bottom(); y += Settings::blockSide)
         for (std::uint32_t x = tile.left - tile.left % Settings::blockSide; x < tile.Right(); x += Settings::blockSide)
@@ -25,12 +26,16 @@ void TileSampler::CopyResults(const Block& block)
     for (std::uint32_t y = block.area.top; y < block.area.Bottom(); y++)
         for (std::uint32_t x = block.area.left; x < block.area.Right(); x++)
             if (tile.Has(x, y))
+            {
                 pixels[tile.IndexOf(x, y)] = block.ResultOf(x, y);
+                risk += block.RiskOverVariance() * block.ResultOf(x, y).variance;
+            }
 }
 
 SamplingStatistics TileSampler::Statistics() const
 {
     SamplingStatistics statistics;
+    statistics.risk = risk;
     for (const PixelResult& pixel : pixels)
     {
         statistics.pixelsBySamples[pixel.samples]++;

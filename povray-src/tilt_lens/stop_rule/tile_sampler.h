@@ -40,6 +40,7 @@ class TileSampler
     BlockCache& cache;
     Area tile{};
     std::vector<PixelResult> pixels;
+    double risk = 0.0;  ///< sum over the pixels, as in SamplingStatistics
 
     void CopyResults(const Block& block);
     const PixelResult& At(std::uint32_t x, std::uint32_t y) const { return pixels[tile.IndexOf(x, y)]; }
