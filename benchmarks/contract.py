@@ -28,8 +28,7 @@ def claims(lab, shot, reference, first, count, variance):
             picture.unlink()
             picture.with_suffix(".layers.exr").unlink()
         samples = statistics.fmean(samples_spent(text).get("samples", 0.0) for text in said)
-        estimated = statistics.fmean(standard_error(text) ** 2 for text in said) ** 0.5
-        record = {"key": key, "repetition": 0, "samples": samples, "estimated": estimated, **found}
+        record = {"key": key, "repetition": 0, "samples": samples, "estimated": standard_error(said), **found}
         lab.keep(record)
     return record
 

@@ -161,7 +161,8 @@ class Lab:
         if shot.form == PINHOLE:  # sharp as a pinhole
             shot = dataclasses.replace(shot, form=TILT_LENS, declare=(("Blur", 1e-7), *shot.declare))
         samples = samples // 2 if self.quick else samples
-        name = digest(shot.settings(), shot.sources(), batches, samples, *(["unclipped"] if unclipped else []))
+        kind, options = ("exr", ["--unclipped"]) if unclipped else ("png", [])
+        name = digest(shot.settings(), shot.sources(), batches, samples, *options)
         path = self.work / "references" / f"{shot.scene}-{name}.exr"
         if path.is_file():
             return path
@@ -170,10 +171,10 @@ class Lab:
         pictures = []
         even = dataclasses.replace(shot, threads=2, declare=(*shot.declare, ("Min", samples), ("Max", samples), ("Variance", 0)))
         for batch in range(1, batches + 1):
-            pictures.append(self.work / "references" / f"{path.stem}-{batch}.{'exr' if unclipped else 'png'}")
+            pictures.append(self.work / "references" / f"{path.stem}-{batch}.{kind}")
             self.render(self.ours, even.independent(batch), pictures[-1], low_priority=True)
         unfinished = path.with_suffix(".part.exr")
-        self.tool("noise", "reference", unfinished, *pictures, "--size", width, height, *(["--unclipped"] if unclipped else []))
+        self.tool("noise", "reference", unfinished, *pictures, "--size", width, height, *options)
         unfinished.rename(path)
         for picture in pictures:
             picture.unlink()
@@ -231,9 +232,10 @@ def cpu_of_rays(messages):
     return list(map(float, found))
 
 
-def standard_error(messages):
-    """Estimated root mean square error of a picture, relative above white."""
-    return float(re.search(r"^  Standard error\.+([\d.e-]+) of white", messages, re.M)[1])
+def standard_error(said):
+    """Estimated root mean square error of several pictures by their messages, relative above white."""
+    found = (re.search(r"^  Standard error\.+([\d.e-]+) of white", messages, re.M) for messages in said)
+    return statistics.fmean(float(one[1]) ** 2 for one in found) ** 0.5
 
 
 def samples_spent(messages):

@@ -56,9 +56,7 @@ PaddedBlock Make(const std::function<Pixel(int, int)>& pixel, const PictureEdges
 
 struct Errors
 {
-    double before = 0.0, after = 0.0, noise = 0.0, risk = 0.0, bound = 0.0;
-
-    double Claimed() const { return std::max(noise, risk); }
+    double before = 0.0, after = 0.0, noise = 0.0, claimed = 0.0, bound = 0.0;
 };
 
 Errors ErrorsOf(const std::function<double(int, int)>& truth, double variance)
@@ -69,16 +67,19 @@ Errors ErrorsOf(const std::function<double(int, int)>& truth, double variance)
     {
         const PaddedBlock around = Make([&](int x, int y) { return Noisy(truth(x, y), variance, random); });
         const ReconstructedBlock rebuilt = Reconstruct(around, Settings());
+        double noise = 0.0, risk = 0.0;
         for (int y = 0; y < kSide; y++)
             for (int x = 0; x < kSide; x++)
             {
                 const int i = y * kSide + x, at = PaddedBlock::At(x, y);
                 errors.before += std::pow(around.Mean(0)[at] - truth(x, y), 2);
                 errors.after += std::pow(rebuilt.mean[0][i] - truth(x, y), 2);
-                errors.noise += rebuilt.residualVarianceRatio[i] * around.Noise()[at] / 3.0;
-                errors.risk += rebuilt.risk * around.Noise()[at] / 3.0;
+                noise += rebuilt.residualVarianceRatio[i] * around.Noise()[at] / 3.0;
+                risk += rebuilt.risk * around.Noise()[at] / 3.0;
                 errors.bound += rebuilt.residualVarianceBound[i] * around.Noise()[at] / 3.0;
             }
+        errors.noise += noise;
+        errors.claimed += std::max(noise, risk);  // as in the summary of this picture
     }
     return errors;
 }
@@ -101,10 +102,11 @@ TEST(Reconstruction, RemovesNoiseOfSmoothAreasAndReportsTheRest)
         {
             const Errors e = ErrorsOf([&](int x, int y) { return 0.5 + slope * (x - y); }, variance);
             EXPECT_LT(e.after, 0.25 * e.before) << variance << ", " << slope;
-            // too little by a fifth, because the weights depend on the noise
-            EXPECT_GT(e.Claimed(), 0.75 * e.after) << variance << ", " << slope;
-            EXPECT_LT(e.Claimed(), 1.2 * e.after) << variance << ", " << slope;
-            EXPECT_GT(e.bound, e.Claimed()) << variance << ", " << slope;
+            EXPECT_GT(e.claimed, 0.8 * e.after) << variance << ", " << slope;
+            // too little by a fifth, because the weights depend on the noise; in large pictures the risk seldom makes up for it
+            EXPECT_GT(e.noise, 0.75 * e.after) << variance << ", " << slope;
+            EXPECT_LT(e.claimed, 1.2 * e.after) << variance << ", " << slope;
+            EXPECT_GT(e.bound, e.claimed) << variance << ", " << slope;
             EXPECT_LT(e.bound, 0.5 * e.before) << variance << ", " << slope;
         }
 }
@@ -122,9 +124,9 @@ TEST(Reconstruction, ReportsRemainingNoiseAndBias)
             const Errors e = ErrorsOf(waves, variance);
             EXPECT_GT(e.bound, 0.75 * e.after) << length << ", " << height;
             EXPECT_LT(e.bound, 2.2 * e.after) << length << ", " << height;
-            // too little by up to two fifths, because the weights depend on the noise
-            EXPECT_GT(e.Claimed(), 0.55 * e.after) << length << ", " << height;
-            EXPECT_LT(e.Claimed(), 1.2 * e.after) << length << ", " << height;
+            // too little by up to a third, because the weights depend on the noise
+            EXPECT_GT(e.claimed, 0.6 * e.after) << length << ", " << height;
+            EXPECT_LT(e.claimed, 1.2 * e.after) << length << ", " << height;
             least = std::min(least, e.after / e.before);
             greatest = std::max(greatest, e.after / e.before);
         }
@@ -360,5 +362,5 @@ TEST(Reconstruction, AcceptsAnyBrightness)
     }
 }
 
-} // namespace
-} // namespace tilt_lens
+}  // namespace
+}  // namespace tilt_lens

@@ -27,8 +27,8 @@ void TileSampler::CopyResults(const Block& block)
         for (std::uint32_t x = block.area.left; x < block.area.Right(); x++)
             if (tile.Has(x, y))
             {
-                pixels[tile.IndexOf(x, y)] = block.ResultOf(x, y);
-                risk += block.RiskOverVariance() * block.ResultOf(x, y).variance;
+                const PixelResult& result = pixels[tile.IndexOf(x, y)] = block.ResultOf(x, y);
+                risk += block.RiskOverVariance() * result.variance;
             }
 }
 
